@@ -1,0 +1,163 @@
+"""The figure: a frozen tree of limbs with the flat, read-only arrays that algorithms work on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.errors import LayfigureError
+from layfigure.figures.definition import DOF_KINDS, Dof, LimbDefinition, Volume
+from layfigure.suggestions import did_you_mean
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Limb:
+    """One limb of a built figure, mirrors expanded.
+
+    ``frame`` is the (3, 3) signed permutation that takes canonical joint space (main axis +Y, flexion x, pivot z) to
+    limb coordinates (posing.md 1); its determinant is -1 for mirrored limbs. ``twin`` is the index of the mirror
+    twin, or the limb's own index.
+    """
+
+    index: int
+    name: str
+    parent: int
+    position: tuple[float, float, float]
+    begin: tuple[float, float, float]
+    end: tuple[float, float, float]
+    frame: tuple[tuple[int, int, int], ...]
+    dofs: tuple[Dof, ...]
+    volumes: tuple[Volume, ...]
+    twin: int
+
+    @property
+    def length(self) -> float:
+        """Distance from begin to end in figure units."""
+        return float(np.linalg.norm(np.subtract(self.end, self.begin)))
+
+    @property
+    def movable(self) -> bool:
+        """Whether the joint has any degree of freedom."""
+        return bool(self.dofs)
+
+    def dof(self, kind: str) -> Dof | None:
+        """Return the degree of freedom of that kind, or None where the joint lacks it."""
+        return next((dof for dof in self.dofs if dof.kind == kind), None)
+
+
+@dataclass(frozen=True)
+class FigureArrays:
+    """A figure as read-only arrays, parents first; n limbs (root included), v volumes. Lengths in figure units.
+
+    ``limits`` is in degrees with low = high = 0 where a degree of freedom is missing (``has_dof`` tells).
+    ``volume_points`` repeats the last point of volumes that have fewer than four.
+    """
+
+    parents: Integers  # (n,), -1 for the root
+    offsets: Floats  # (n, 3) joint position in parent coordinates
+    begins: Floats  # (n, 3)
+    ends: Floats  # (n, 3)
+    frames: Floats  # (n, 3, 3)
+    has_dof: NDArray[np.bool_]  # (n, 3) flexion, pivot, twist
+    limits: Floats  # (n, 3, 2)
+    volume_kinds: Integers  # (v,) index into VOLUME_KINDS
+    volume_limbs: Integers  # (v,)
+    volume_points: Floats  # (v, 4, 3) in limb coordinates
+    volume_radii: Floats  # (v,)
+    volume_colours: Integers  # (v,) index into Figure.colours
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """An articulated figure. Limb 0 is the root; ``limbs`` is parents-first in file order.
+
+    Build one with :func:`layfigure.figures.build.build_figure` or load one with :mod:`layfigure.figures.library`.
+    """
+
+    name: str
+    limbs: tuple[Limb, ...]
+    colours: tuple[str, ...]
+    arrays: FigureArrays
+    definition: LimbDefinition
+    _indices: dict[str, int] = field(repr=False)
+
+    def index(self, name: str) -> int:
+        """Return the index of a limb by its case-insensitive name.
+
+        Raises:
+            LayfigureError: no such limb; the sentence names the nearest.
+        """
+        try:
+            return self._indices[name.casefold()]
+        except KeyError:
+            hint = did_you_mean(name, self.names)
+            raise LayfigureError(f'the figure {self.name} has no limb "{name}"{hint}') from None
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Limb names, root first."""
+        return tuple(limb.name for limb in self.limbs)
+
+    @cached_property
+    def movable(self) -> tuple[int, ...]:
+        """Indices of the limbs that have a degree of freedom, the root left out."""
+        return tuple(limb.index for limb in self.limbs[1:] if limb.movable)
+
+    @cached_property
+    def selectable(self) -> tuple[int, ...]:
+        """Indices a user can walk through: the movable limbs and the root, which always turns."""
+        return (0, *self.movable)
+
+    @cached_property
+    def children(self) -> tuple[tuple[int, ...], ...]:
+        """Child limb indices of each limb."""
+        return tuple(tuple(limb.index for limb in self.limbs if limb.parent == i) for i in range(len(self.limbs)))
+
+    def subtree(self, index: int) -> frozenset[int]:
+        """Return the limb and everything below it."""
+        found = {index}
+        for limb in self.limbs:
+            if limb.parent in found:
+                found.add(limb.index)
+        return frozenset(found)
+
+    @property
+    def limb_count(self) -> int:
+        """Number of limbs, a zero-length root left out (posing.md 1, counting)."""
+        return len(self.limbs) - (self.limbs[0].length == 0.0)
+
+    @property
+    def dof_count(self) -> int:
+        """Number of degrees of freedom that the file declares."""
+        return sum(len(limb.dofs) for limb in self.limbs)
+
+    @property
+    def total_length(self) -> float:
+        """Sum of limb lengths in figure units."""
+        return float(sum(limb.length for limb in self.limbs))
+
+    def indices(self, names: Iterable[str]) -> tuple[int, ...]:
+        """Return limb indices for names, in the order given.
+
+        Raises:
+            LayfigureError: a name is unknown.
+        """
+        return tuple(self.index(name) for name in names)
+
+
+def limit_of(limb: Limb, kind: str) -> tuple[float, float]:
+    """Return (low, high) in degrees; a missing degree of freedom is (0, 0)."""
+    dof = limb.dof(kind)
+    return (dof.low, dof.high) if dof else (0.0, 0.0)
+
+
+def limb_limits(limb: Limb) -> list[tuple[float, float]]:
+    """Return the three (low, high) pairs of a limb in the order flexion, pivot, twist, in degrees."""
+    return [limit_of(limb, kind) for kind in DOF_KINDS]

@@ -1,0 +1,1 @@
+"""Reading and writing text and bytes without surprises."""

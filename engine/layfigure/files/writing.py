@@ -1,0 +1,63 @@
+"""Writes a file beside its place and renames it, so that a crash never leaves half a file."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import IO
+
+from layfigure.errors import FileError
+
+
+def write_text(path: Path, text: str) -> None:
+    """Replace ``path`` by ``text`` in UTF-8, all or nothing.
+
+    Raises:
+        FileError: the folder is missing or not writable, or the disk is full; the old file is untouched.
+    """
+    write_with(path, lambda stream: stream.write(text.encode("utf-8")))
+
+
+def write_with(path: Path, write: Callable[[IO[bytes]], object]) -> None:
+    """Replace ``path`` by what ``write(stream)`` puts into a binary stream, all or nothing.
+
+    Raises:
+        FileError: as for :func:`write_text`.
+    """
+    if path.is_dir():
+        raise FileError(f"{path}: is a folder; name a file inside it")
+    try:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written ({error.strerror or error})") from None
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            write(stream)
+            stream.flush()
+            os.fsync(stream.fileno())
+        _keep_mode(path, Path(name))
+        Path(name).replace(path)
+    except OSError as error:
+        _discard(name)
+        raise FileError(f"{path}: cannot be written ({error.strerror or error})") from None
+    except BaseException:
+        _discard(name)
+        raise
+
+
+def _keep_mode(old: Path, new: Path) -> None:
+    umask = os.umask(0)
+    os.umask(umask)
+    try:
+        mode = old.stat().st_mode & 0o777
+    except OSError:
+        mode = 0o666 & ~umask
+    new.chmod(mode)
+
+
+def _discard(name: str) -> None:
+    with contextlib.suppress(OSError):
+        Path(name).unlink()

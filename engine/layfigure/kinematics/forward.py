@@ -1,0 +1,65 @@
+"""Forward kinematics in plain float64 numpy: the reference the compiled kernel is tested against.
+
+It also serves the first moments of a window, before the kernels are loaded.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.figures.figure import Figure
+from layfigure.kinematics.swing import rotations
+from layfigure.poses.pose import Pose
+
+Floats = NDArray[np.float64]
+
+
+class Placement(NamedTuple):
+    """Where limbs stand in the world: ``limb_to_world`` (..., n, 3, 3) and joint ``origins`` (..., n, 3)."""
+
+    limb_to_world: Floats
+    origins: Floats
+
+
+def place(figure: Figure, angles: Floats, translations: Floats) -> Placement:
+    """Return the placement of a batch of poses.
+
+    Args:
+        figure: the figure with n limbs.
+        angles: (..., n, 3) flexion, pivot, twist in degrees.
+        translations: (..., 3) root translation in figure units.
+    """
+    arrays = figure.arrays
+    local = arrays.frames @ rotations(angles) @ np.swapaxes(arrays.frames, -1, -2)
+    limb_to_world = np.empty_like(local)
+    origins = np.empty((*local.shape[:-2], 3))
+    for limb, parent in enumerate(arrays.parents):
+        if parent < 0:
+            limb_to_world[..., limb, :, :] = local[..., limb, :, :]
+            origins[..., limb, :] = translations + arrays.offsets[limb]
+            continue
+        above = limb_to_world[..., parent, :, :]
+        limb_to_world[..., limb, :, :] = above @ local[..., limb, :, :]
+        origins[..., limb, :] = origins[..., parent, :] + above @ arrays.offsets[limb]
+    return Placement(limb_to_world, origins)
+
+
+def place_pose(figure: Figure, pose: Pose) -> Placement:
+    """Return the placement of one pose: (n, 3, 3) rotations and (n, 3) origins."""
+    return place(figure, pose.angles, pose.translation)
+
+
+def limb_ends(figure: Figure, placement: Placement) -> Floats:
+    """Return world positions (..., n, 3) of the limb tips."""
+    turned = np.einsum("...nij,nj->...ni", placement.limb_to_world, figure.arrays.ends)
+    return np.asarray(placement.origins + turned)
+
+
+def closeness(figure: Figure, a: Pose, b: Pose) -> float:
+    """Return sqrt(sum over limbs of squared tip distance) in figure units; 0 is equal (posing.md 10)."""
+    tips_a = limb_ends(figure, place_pose(figure, a))
+    tips_b = limb_ends(figure, place_pose(figure, b))
+    return float(np.linalg.norm(tips_a - tips_b))

@@ -1,0 +1,115 @@
+"""Swing-twist joint mathematics in canonical joint space (main axis +Y, flexion x, pivot z); posing.md 1.
+
+The swing is kept as the half vector h = normalise(A + D) between rest axis A and limb direction D (thesis V.2). All
+functions work on arrays of any leading shape.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+DECIMALS = 6
+
+
+def half_vector(flexion: ArrayLike, pivot: ArrayLike) -> Floats:
+    """Return unit half vectors (..., 3) for flexion and pivot in degrees, |flexion| + |pivot| <= 180.
+
+    h = (sin f/2, sqrt(cos((f+p)/2) cos((f-p)/2)), sin p/2); the product form of 1 - sin^2 - sin^2 keeps its digits
+    near the equator.
+    """
+    f = np.radians(np.asarray(flexion, dtype=np.float64)) / 2
+    p = np.radians(np.asarray(pivot, dtype=np.float64)) / 2
+    height = np.sqrt(np.maximum(np.cos(f + p) * np.cos(f - p), 0.0))
+    return np.stack([np.sin(f), height, np.sin(p)], axis=-1)
+
+
+def swing_angles(half: ArrayLike) -> tuple[Floats, Floats]:
+    """Return (flexion, pivot) in degrees, each (...,), of unit half vectors (..., 3) on the upper hemisphere."""
+    h = np.asarray(half, dtype=np.float64)
+    flexion = np.degrees(2 * np.arcsin(np.clip(h[..., 0], -1, 1)))
+    pivot = np.degrees(2 * np.arcsin(np.clip(h[..., 2], -1, 1)))
+    return flexion, pivot
+
+
+def half_distance(a: ArrayLike, b: ArrayLike) -> Floats:
+    """Return min(|a - b|, |a + b|) of half vectors (..., 3): on the equator h and -h are one rotation."""
+    u, v = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
+    return np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
+
+
+def rotations(angles: ArrayLike) -> Floats:
+    """Return rotation matrices (..., 3, 3) in canonical space for (..., 3) flexion, pivot, twist in degrees.
+
+    The swing quaternion (A.h, A x h) is followed by the twist about the reached direction, which equals the twist
+    about A followed by the swing.
+    """
+    values = np.asarray(angles, dtype=np.float64)
+    half = half_vector(values[..., 0], values[..., 1])
+    turn = np.radians(values[..., 2]) / 2
+    cosine, sine = np.cos(turn), np.sin(turn)
+    w, x, z = half[..., 1], half[..., 2], -half[..., 0]
+    return quaternion_matrices(w * cosine, x * cosine - z * sine, w * sine, z * cosine + x * sine)
+
+
+def quaternion_matrices(w: Floats, x: Floats, y: Floats, z: Floats) -> Floats:
+    """Return rotation matrices (..., 3, 3) of unit quaternions given by components (...,)."""
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def angles_of(rotation: ArrayLike) -> Floats:
+    """Return flexion, pivot, twist in degrees (..., 3) of canonical rotation matrices (..., 3, 3).
+
+    Where the limb points exactly backwards the swing direction is undefined and (0, 0, 1) is taken (posing.md 1).
+    """
+    matrix = np.asarray(rotation, dtype=np.float64)
+    direction = matrix[..., :, 1]
+    half = direction + np.array([0.0, 1.0, 0.0])
+    length = np.linalg.norm(half, axis=-1, keepdims=True)
+    opposite = length < 1e-6
+    half = np.where(opposite, [0.0, 0.0, 1.0], half / np.where(opposite, 1.0, length))
+    flexion, pivot = swing_angles(half)
+    swing = rotations(np.stack([flexion, pivot, np.zeros_like(flexion)], axis=-1))
+    rest = np.swapaxes(swing, -1, -2) @ matrix
+    twist = np.degrees(np.arctan2(rest[..., 0, 2], rest[..., 0, 0]))
+    return np.stack([flexion, pivot, twist], axis=-1)
+
+
+def canonical(angles: ArrayLike) -> Floats:
+    """Return committed joint angles (n, 3) in degrees: wrapped, inside the domain, rounded to 1e-6 degree.
+
+    Twist is wrapped to (-180, 180]. A swing outside |f| + |p| <= 180 is clamped along the line to rest. On the
+    boundary, where h and -h are one rotation, the twin with pivot > 0, or pivot = 0 and flexion > 0, is taken.
+    Negative zero becomes zero. Idempotent.
+
+    Raises:
+        ValueError: an angle is not finite.
+    """
+    values = np.array(angles, dtype=np.float64).reshape(-1, 3)
+    if not np.isfinite(values).all():
+        raise ValueError("a joint angle is not a finite number")
+    total = np.abs(values[:, 0]) + np.abs(values[:, 1])
+    outside = total > 180.0
+    values[outside, :2] *= (180.0 / total[outside])[:, None]
+    values[:, 2] = 180.0 - np.mod(180.0 - values[:, 2], 360.0)
+    values = np.round(values, DECIMALS)
+    values[values[:, 2] == -180.0, 2] = 180.0
+    _pull_inside(values)
+    boundary = np.abs(values[:, 0]) + np.abs(values[:, 1]) == 180.0
+    lower = (values[:, 1] < 0) | ((values[:, 1] == 0) & (values[:, 0] < 0))
+    values[boundary & lower, :2] *= -1.0
+    return values + 0.0
+
+
+def _pull_inside(values: Floats) -> None:
+    """Take the last rounded digit off the larger swing angle where rounding stepped over the boundary."""
+    for row in np.flatnonzero(np.abs(values[:, 0]) + np.abs(values[:, 1]) > 180.0):
+        column = int(np.argmax(np.abs(values[row, :2])))
+        other = abs(values[row, 1 - column])
+        values[row, column] = np.copysign(np.round(180.0 - other, DECIMALS), values[row, column])

@@ -1,0 +1,153 @@
+"""Frozen records that plug-ins hand over, once, at load. The engine calls their functions under its own guard."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from layfigure.drawing.render_list import Look, RenderList, Target
+from layfigure.errors import PluginError
+from layfigure.figures.figure import Figure
+from layfigure.poses.pose import Pose
+from layfigure.techniques.contract import CHANNELS, Bench, Controls, TechniqueObject
+
+_ID = re.compile(r"[a-z][a-z0-9_.-]*")
+
+
+def _check_id(kind: str, identifier: str) -> None:
+    if not _ID.fullmatch(identifier):
+        raise PluginError(f"the {kind} id {identifier!r} must be lower-case letters, digits, dots or dashes")
+
+
+@dataclass(frozen=True)
+class Technique:
+    """A posing technique. ``make(bench)`` gives the object that works on ``bench.figure``.
+
+    ``channels`` names the events it understands (:data:`layfigure.techniques.contract.CHANNELS`); a front end shows a
+    page of candidates where ``limb_pick``, ``best`` or ``grade`` is among them. ``controls`` are its keys, sliders
+    and choices.
+    """
+
+    id: str
+    title: str
+    make: Callable[[Bench], TechniqueObject[Any]]
+    channels: frozenset[str]
+    controls: tuple[Controls, ...] = ()
+    help: str = ""
+
+    def __post_init__(self) -> None:
+        _check_id("technique", self.id)
+        unknown = self.channels - CHANNELS
+        if unknown:
+            raise PluginError(f"technique {self.id}: unknown channels {sorted(unknown)}; known are {sorted(CHANNELS)}")
+
+
+class RendererObject(Protocol):
+    """A renderer at work; it may keep caches but never anything a picture depends on."""
+
+    def draw(self, render_list: RenderList, target: Target, look: Look) -> None:
+        """Fill every view's rectangle of ``target`` with its background and primitives."""
+
+
+@dataclass(frozen=True)
+class Renderer:
+    """A way to draw. ``compiled`` renderers need machine code that may not be ready in a window's first moments."""
+
+    id: str
+    title: str
+    make: Callable[[], RendererObject]
+    compiled: bool = False
+    warm: Callable[[], None] | None = None
+
+    def __post_init__(self) -> None:
+        _check_id("renderer", self.id)
+
+
+@dataclass(frozen=True)
+class Command:
+    """A named thing to do: ``run(session, words)`` with the words typed after the name.
+
+    ``logged`` commands change the document and are written to the session log; they must give the same result from
+    the same words on any machine. ``usage`` shows the words, such as ``"LIMB FLEXION PIVOT TWIST"``.
+    """
+
+    id: str
+    title: str
+    run: Callable[[Any, tuple[str, ...]], None]
+    usage: str = ""
+    logged: bool = False
+
+    def __post_init__(self) -> None:
+        _check_id("command", self.id)
+
+
+@dataclass(frozen=True)
+class Keymap:
+    """A set of key bindings in the text of ``data/keymaps``; the later of two plug-ins' bindings wins."""
+
+    id: str
+    title: str
+    toml: str
+
+    def __post_init__(self) -> None:
+        _check_id("keymap", self.id)
+
+
+@dataclass(frozen=True)
+class OverlayLine:
+    """A line to draw over a view, in world units of the view's pose."""
+
+    begin: tuple[float, float, float]
+    end: tuple[float, float, float]
+    rgb: tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """Lines over the views of the working pose, for showing what a technique knows: ``lines(figure, pose)``."""
+
+    id: str
+    title: str
+    lines: Callable[[Figure, Pose], Iterable[OverlayLine]]
+
+    def __post_init__(self) -> None:
+        _check_id("overlay", self.id)
+
+
+@dataclass(frozen=True)
+class FigureSource:
+    """A figure that a plug-in brings, as the text of a ``.fig`` file."""
+
+    id: str
+    title: str
+    fig: str
+
+    def __post_init__(self) -> None:
+        _check_id("figure", self.id)
+
+
+@dataclass(frozen=True)
+class Interpolation:
+    """A way from one key to the next: ``ease(u)`` maps 0..1 to progress with ease(0) = 0 and ease(1) = 1."""
+
+    id: str
+    title: str
+    ease: Callable[[float], float]
+
+    def __post_init__(self) -> None:
+        _check_id("interpolation", self.id)
+
+
+@dataclass(frozen=True)
+class Document:
+    """What a file format reads or writes: a figure and poses on it."""
+
+    figure: Figure
+    poses: tuple[Pose, ...] = field(default_factory=tuple)
+    path: Path | None = None
+
+
+Record = Technique | Renderer | Command | Keymap | Overlay | FigureSource | Interpolation

@@ -1,0 +1,1 @@
+"""Poses as values, their text files, and what can be asked of them."""

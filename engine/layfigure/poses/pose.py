@@ -1,0 +1,76 @@
+"""The pose: joint angles of every limb and where the root stands, as a frozen value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from layfigure.figures.figure import Figure
+from layfigure.kinematics.swing import DECIMALS, canonical, half_vector
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """Joint angles (n, 3) flexion, pivot, twist in degrees and the root's translation (3,) in figure units.
+
+    Row 0 turns the root. Values are committed: canonical and rounded to 1e-6 (posing.md 1), so that files read back
+    exactly. Angles, not half vectors, are what is stored: (f, p) fixes the half vector, at the equator too, and the
+    rounded value is then the value itself. Arrays are read-only; compare with ``==``.
+    """
+
+    angles: Floats
+    translation: Floats
+
+    @staticmethod
+    def of(angles: ArrayLike, translation: ArrayLike = (0.0, 0.0, 0.0)) -> Pose:
+        """Return the pose of raw angles (n, 3) and translation (3,), made canonical and rounded.
+
+        Raises:
+            ValueError: a number is not finite.
+        """
+        moved = np.round(np.array(translation, dtype=np.float64).reshape(3), DECIMALS) + 0.0
+        if not np.isfinite(moved).all():
+            raise ValueError("a root coordinate is not a finite number")
+        return _frozen(canonical(angles), moved)
+
+    @staticmethod
+    def rest(figure: Figure) -> Pose:
+        """Return the figure's rest pose: every angle zero, the root at the origin."""
+        return Pose.of(np.zeros((len(figure.limbs), 3)))
+
+    @property
+    def half_vectors(self) -> Floats:
+        """Swing half vectors (n, 3) in canonical joint space."""
+        return half_vector(self.angles[:, 0], self.angles[:, 1])
+
+    def with_joint(self, limb: int, flexion: float, pivot: float, twist: float) -> Pose:
+        """Return this pose with one joint's angles (degrees) replaced."""
+        angles = self.angles.copy()
+        angles[limb] = canonical([[flexion, pivot, twist]])[0]
+        return _frozen(angles, self.translation)
+
+    def with_joints_of(self, other: Pose, limbs: Iterable[int]) -> Pose:
+        """Return this pose with the listed joints copied from another; copying the root copies its place too."""
+        chosen = list(limbs)
+        angles = self.angles.copy()
+        angles[chosen] = other.angles[chosen]
+        return _frozen(angles, other.translation if 0 in chosen else self.translation)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Pose):
+            return NotImplemented
+        return np.array_equal(self.angles, other.angles) and np.array_equal(self.translation, other.translation)
+
+    def __hash__(self) -> int:
+        return hash((self.angles.tobytes(), self.translation.tobytes()))
+
+
+def _frozen(angles: Floats, translation: Floats) -> Pose:
+    angles.flags.writeable = False
+    translation.flags.writeable = False
+    return Pose(angles, translation)

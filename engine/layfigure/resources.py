@@ -1,0 +1,33 @@
+"""Finds the shipped models and data: beside the package in a wheel, at the repository root in a checkout."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from layfigure.errors import FileError
+
+_PACKAGE = Path(__file__).resolve().parent
+_REPOSITORY = _PACKAGE.parents[1]
+
+
+def folder(kind: str) -> Path:
+    """Return the folder of shipped ``"models"`` or ``"data"``.
+
+    Raises:
+        FileError: neither place has it (a damaged installation).
+    """
+    for root in (_PACKAGE, _REPOSITORY):
+        if (root / kind).is_dir():
+            return root / kind
+    raise FileError(f"the shipped folder {kind!r} is missing; install layfigure again")
+
+
+def data(*parts: str) -> Path:
+    """Return the path of a shipped data file such as ``data("palettes", "default.toml")``."""
+    return folder("data").joinpath(*parts)
+
+
+def model_files() -> Iterator[Path]:
+    """Yield the shipped ``.fig`` files in alphabetical order."""
+    yield from sorted(folder("models").glob("*.fig"))

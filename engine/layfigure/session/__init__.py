@@ -1,0 +1,1 @@
+"""A session: one document under one history, driven by events or commands, shown as frames."""

@@ -1,0 +1,155 @@
+"""What a front end gets back: where to draw which view, which widgets, and what stands on top.
+
+All coordinates are surface pixels (cells in a terminal). A front end draws ``shots`` through the session, then paints
+the widgets in order, then the marks, then the overlay. It decides nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from layfigure.drawing.render_list import Rectangle
+
+
+class Size(NamedTuple):
+    """A surface: width and height in pixels and ``scale`` pixels per layout unit (2.0 on a high-density screen)."""
+
+    width: int
+    height: int
+    scale: float = 1.0
+
+
+@dataclass(frozen=True)
+class Pane:
+    """One view on the surface. ``candidate`` is 0-based, or -1 for the working pose.
+
+    ``view`` is ``main``, ``right`` or ``top``. ``shot`` indexes the frame's shots.
+    """
+
+    candidate: int
+    view: str
+    rectangle: Rectangle
+    shot: int
+
+
+@dataclass(frozen=True)
+class Label:
+    """A line of text. ``role``: ``title``, ``text``, ``small``, ``number`` (a candidate's badge), ``status``,
+    ``warning``, ``key`` (drawn as a key cap). ``align``: ``left``, ``centre``, ``right``."""
+
+    rectangle: Rectangle
+    text: str
+    role: str = "text"
+    align: str = "left"
+
+
+@dataclass(frozen=True)
+class Button:
+    """Runs ``command`` when clicked. ``key`` is shown beside the text; ``active`` draws it pressed."""
+
+    rectangle: Rectangle
+    text: str
+    command: str
+    key: str = ""
+    active: bool = False
+    enabled: bool = True
+
+
+@dataclass(frozen=True)
+class SliderBar:
+    """A number between low and high; clicking or dragging runs ``command`` with the value appended."""
+
+    rectangle: Rectangle
+    text: str
+    command: str
+    value: float
+    low: float
+    high: float
+    step: float
+    key: str = ""
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class ChoiceBar:
+    """Options side by side; clicking one runs ``command`` with its value appended. ``options`` = (value, label)."""
+
+    rectangle: Rectangle
+    text: str
+    command: str
+    options: tuple[tuple[str, str], ...]
+    value: str
+    key: str = ""
+
+
+Widget = Label | Button | SliderBar | ChoiceBar
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A box drawn round something. ``role``: ``chosen`` (the candidate keys act on), ``hover``, ``band`` (a dragged
+    selection rectangle), ``focus`` (the view that is orbited), ``pane`` (a quiet frame)."""
+
+    rectangle: Rectangle
+    role: str
+
+
+@dataclass(frozen=True)
+class HelpOverlay:
+    """Modal help: sections of (title, ((key, what it does), ...)). ``scroll`` is the first line shown."""
+
+    title: str
+    sections: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    scroll: int = 0
+
+
+@dataclass(frozen=True)
+class PaletteOverlay:
+    """Modal command palette: the text typed so far, matching (command, title, key) rows, and the chosen row."""
+
+    prompt: str
+    text: str
+    rows: tuple[tuple[str, str, str], ...]
+    chosen: int
+    message: str = ""
+
+
+@dataclass(frozen=True)
+class QuestionOverlay:
+    """A modal question: a sentence and buttons as (text, key, command)."""
+
+    text: str
+    answers: tuple[tuple[str, str, str], ...]
+
+
+ModalOverlay = HelpOverlay | PaletteOverlay | QuestionOverlay
+
+
+@dataclass(frozen=True)
+class WorldLine:
+    """A line over a view in surface pixels, from a plug-in's overlay."""
+
+    x1: float
+    y1: float
+    x2: float
+    y2: float
+    rgb: tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Everything to show on a surface of ``size``. ``cursor`` is ``arrow``, ``hand``, ``grab`` or ``cross``."""
+
+    size: Size
+    panes: tuple[Pane, ...]
+    widgets: tuple[Widget, ...]
+    outlines: tuple[Outline, ...] = ()
+    lines: tuple[WorldLine, ...] = ()
+    overlay: ModalOverlay | None = None
+    status: str = ""
+    hints: tuple[tuple[str, str], ...] = ()
+    cursor: str = "arrow"
+    title: str = "Layfigure"
+    text_input: bool = False
+    theme: str = field(default="dark")

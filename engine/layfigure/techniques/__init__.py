@@ -1,0 +1,1 @@
+"""The contract every posing technique fulfils: offers out, typed events in, state as plain values."""

@@ -1,0 +1,195 @@
+"""Ask and tell: what passes between a session (or a simulated user) and a posing technique.
+
+A technique is a pure machine over plain state. ``ask(state)`` shows, ``tell(state, event)`` answers with the next
+state, ``recommend(state)`` is the pose it stands at. Undo is an older state; nothing is hidden in the object.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol, TypeVar
+
+from layfigure.figures.figure import Figure
+from layfigure.poses.pose import Pose
+
+CHANNELS = frozenset({"limb_pick", "best", "grade", "goal", "drag", "control"})
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a technique starts from: the shared pose, which limbs may change, and whether this is a fresh start.
+
+    ``fresh`` is true for a new figure and after initialising everything: first-generation rules apply (posing.md 5).
+    """
+
+    pose: Pose
+    enabled: frozenset[int]
+    fresh: bool
+
+
+# --- events -----------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class LimbPick:
+    """The user takes limbs of candidate ``candidate`` (0-based). ``vary`` is "", "swing" or "twist" (Shift, Ctrl)."""
+
+    candidate: int
+    limbs: tuple[int, ...]
+    vary: str = ""
+
+
+@dataclass(frozen=True)
+class Best:
+    """The user takes candidate ``candidate`` (0-based) as a whole."""
+
+    candidate: int
+
+
+@dataclass(frozen=True)
+class Grade:
+    """The user gives candidate ``candidate`` (0-based) a grade from 0 to 10."""
+
+    candidate: int
+    grade: int
+
+
+@dataclass(frozen=True)
+class Drag:
+    """The user sets one joint to angles in degrees (a joint ball, a typed number)."""
+
+    limb: int
+    angles: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Goal:
+    """The user wants the tip of ``limb`` at a world position in figure units."""
+
+    limb: int
+    position: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Control:
+    """The user operates one of the technique's own controls: an action (value None), a slider or a choice."""
+
+    name: str
+    value: float | str | bool | None = None
+
+
+@dataclass(frozen=True)
+class PoseSet:
+    """Something else changed the shared pose: a file, an undo, a flip, another technique."""
+
+    pose: Pose
+    fresh: bool = False
+
+
+@dataclass(frozen=True)
+class EnabledSet:
+    """The set of limbs that may change is now ``enabled``."""
+
+    enabled: frozenset[int]
+
+
+Event = LimbPick | Best | Grade | Drag | Goal | Control | PoseSet | EnabledSet
+
+
+# --- what a technique declares and offers -------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Action:
+    """A button or key of a technique: running it tells ``Control(name)``."""
+
+    name: str
+    title: str
+    keys: tuple[str, ...] = ()
+    hint: str = ""
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number the user sets: ``Control(name, value)`` with low <= value <= high. Keys go down and up one step."""
+
+    name: str
+    title: str
+    low: float
+    high: float
+    step: float
+    keys: tuple[str, str] | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several named options: ``Control(name, option)``. The key goes to the next option."""
+
+    name: str
+    title: str
+    options: tuple[tuple[str, str], ...]  # (value, label)
+    keys: tuple[str, ...] = ()
+
+
+Controls = Action | Slider | Choice
+
+
+@dataclass(frozen=True)
+class Offer:
+    """What a technique shows: candidates to choose from, or none when the pose itself is worked on.
+
+    ``values`` holds the present value of each slider and choice by name; ``note`` is one line for the status bar;
+    ``address`` is a text that leads back to this very offer, or empty.
+    """
+
+    candidates: tuple[Pose, ...] = ()
+    title: str = ""
+    note: str = ""
+    values: Mapping[str, float | str | bool] = field(default_factory=dict)
+    address: str = ""
+
+
+class Bench(Protocol):
+    """What the house lends to a technique: its figure, and the services of other plug-ins by id."""
+
+    @property
+    def figure(self) -> Figure:
+        """The figure being posed."""
+
+    def option(self, name: str, default: float | str | bool) -> float | str | bool:
+        """Return a user's setting for this technique, or the default."""
+
+
+State = TypeVar("State")
+
+
+class TechniqueObject(Protocol[State]):
+    """A technique at work on one figure. All methods are pure: same arguments, same answer, nothing kept."""
+
+    def start(self, setting: Setting) -> State:
+        """Return the state to begin with."""
+
+    def ask(self, state: State) -> Offer:
+        """Return what to show; asking twice gives the same offer to the last bit."""
+
+    def tell(self, state: State, event: Event) -> State:
+        """Return the state after an event.
+
+        Raises:
+            ImpossibleError: the event makes no sense now; the sentence goes to the status line.
+        """
+
+    def recommend(self, state: State) -> Pose:
+        """Return the pose the technique stands at."""
+
+    def dump(self, state: State) -> dict[str, Any]:
+        """Return the state as JSON-ready plain data with a "version"."""
+
+    def load(self, data: Mapping[str, Any]) -> State:
+        """Return the state that :meth:`dump` described.
+
+        Raises:
+            LayfigureError: another version, or damaged data.
+        """
