@@ -12,7 +12,7 @@ import pluggy
 
 from layfigure.plugins.records import (
     Command,
-    Document,
+    Exchange,
     FigureSource,
     Interpolation,
     Keymap,
@@ -69,13 +69,13 @@ def layfigure_interpolations() -> list[Interpolation]:
 
 
 @hookspec(firstresult=True)
-def layfigure_read(path: Path) -> Document | None:
+def layfigure_read(path: Path) -> Exchange | None:
     """Return what a file holds, or None when the format is not yours."""
     raise NotImplementedError
 
 
 @hookspec(firstresult=True)
-def layfigure_write(document: Document, path: Path) -> bool | None:
+def layfigure_write(document: Exchange, path: Path) -> bool | None:
     """Write a document and return True, or None when the format is not yours."""
     raise NotImplementedError
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from layfigure.drawing.render_list import Look, RenderList, Target
 from layfigure.errors import PluginError
@@ -142,12 +144,15 @@ class Interpolation:
 
 
 @dataclass(frozen=True)
-class Document:
-    """What a file format reads or writes: a figure and poses on it."""
+class Exchange:
+    """What passes between the program and a file format: a figure, poses on it, and perhaps a picture.
+
+    ``picture`` is (height, width) uint32 as 0x00RRGGBB; formats of pictures write it, others may ignore it.
+    """
 
     figure: Figure
-    poses: tuple[Pose, ...] = field(default_factory=tuple)
-    path: Path | None = None
+    poses: tuple[Pose, ...] = ()
+    picture: NDArray[np.uint32] | None = None
 
 
 Record = Technique | Renderer | Command | Keymap | Overlay | FigureSource | Interpolation

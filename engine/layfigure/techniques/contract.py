@@ -102,12 +102,17 @@ Event = LimbPick | Best | Grade | Drag | Goal | Control | PoseSet | EnabledSet
 
 @dataclass(frozen=True)
 class Action:
-    """A button or key of a technique: running it tells ``Control(name)``."""
+    """A button or key of a technique: running it tells ``Control(name)``, or ``Control(name, word)`` with a word.
+
+    ``navigates`` marks moves through what is offered, which undo passes over. ``argument`` names the one word that
+    the command may take; such actions get no button.
+    """
 
     name: str
     title: str
     keys: tuple[str, ...] = ()
-    hint: str = ""
+    navigates: bool = False
+    argument: str = ""
 
 
 @dataclass(frozen=True)

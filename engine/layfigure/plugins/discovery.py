@@ -1,0 +1,72 @@
+"""Where plug-ins come from: installed entry points, the user's plug-ins folder, and files named on the command line."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from layfigure.errors import PluginError
+
+GROUP = "layfigure"
+_OWN_DISTRIBUTION = "layfigure"
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Which plug-ins to let in: extra one-file plug-ins, a folder of them, names to leave out, built-ins only."""
+
+    files: tuple[Path, ...] = ()
+    folder: Path | None = None
+    without: frozenset[str] = frozenset()
+    safe: bool = False
+
+
+@dataclass(frozen=True)
+class Found:
+    """A plug-in not yet loaded: its name, where it lives, and how to import it."""
+
+    name: str
+    origin: str
+    load: Callable[[], object] = field(repr=False)
+
+
+def find_plugins(selection: Selection) -> Iterator[Found]:
+    """Yield the plug-ins of a selection: the house's own first, then installed ones by name, then files."""
+    yield from (found for found in _candidates(selection) if found.name not in selection.without)
+
+
+def _candidates(selection: Selection) -> Iterator[Found]:
+    points = importlib.metadata.entry_points(group=GROUP)
+    ours = sorted((point for point in points if _is_own(point)), key=lambda point: point.name)
+    theirs = sorted((point for point in points if not _is_own(point)), key=lambda point: point.name)
+    for point in ours if selection.safe else ours + theirs:
+        yield Found(point.name, point.value, point.load)
+    if selection.safe:
+        return
+    in_folder = sorted(selection.folder.glob("*.py")) if selection.folder and selection.folder.is_dir() else []
+    for path in [*in_folder, *selection.files]:
+        yield Found(path.stem, str(path), _loader(path))
+
+
+def _is_own(point: importlib.metadata.EntryPoint) -> bool:
+    return point.dist is not None and point.dist.name == _OWN_DISTRIBUTION
+
+
+def _loader(path: Path) -> Callable[[], object]:
+    def load() -> object:
+        if not path.is_file():
+            raise PluginError(f"{path}: there is no such plug-in file; check the name")
+        name = f"layfigure_plugin_file_{path.stem}"
+        spec = importlib.util.spec_from_file_location(name, path)
+        if spec is None or spec.loader is None:
+            raise PluginError(f"{path}: is not a Python file; a plug-in file ends in .py")
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+        return module
+
+    return load

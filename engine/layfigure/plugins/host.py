@@ -1,0 +1,211 @@
+"""The host: finds plug-ins, collects their records, and calls them one at a time so that one fault stays one fault.
+
+This is the only module that touches pluggy. Built-ins come through the same entry points (group ``layfigure``) as a
+stranger's plug-in; nothing here names them.
+"""
+
+from __future__ import annotations
+
+import os
+import traceback
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import pluggy
+
+from layfigure.errors import LayfigureError, PluginError
+from layfigure.plugins import hookspecs
+from layfigure.plugins.discovery import Found, Selection, find_plugins
+from layfigure.plugins.records import (
+    Command,
+    Exchange,
+    FigureSource,
+    Interpolation,
+    Keymap,
+    Overlay,
+    Record,
+    Renderer,
+    Technique,
+)
+
+T = TypeVar("T")
+R = TypeVar("R", Technique, Renderer, Command, Keymap, Overlay, FigureSource, Interpolation)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A plug-in that failed: whose, doing what, and one sentence; ``detail`` is the traceback for its author."""
+
+    plugin: str
+    doing: str
+    sentence: str
+    detail: str = ""
+
+    def __str__(self) -> str:
+        return f"plug-in {self.plugin} was set aside: {self.doing}: {self.sentence}"
+
+
+class Host:
+    """Holds the plug-ins of one program run and guards every call to them.
+
+    Mappings are from record id to record, sorted by id. ``faults`` grows; a plug-in with a fault is not called again.
+    With ``LAYFIGURE_STRICT=1`` in the environment faults are raised instead, for plug-in authors.
+    """
+
+    def __init__(self) -> None:
+        self.faults: list[Fault] = []
+        self.techniques: dict[str, Technique] = {}
+        self.renderers: dict[str, Renderer] = {}
+        self.commands: dict[str, Command] = {}
+        self.keymaps: dict[str, Keymap] = {}
+        self.overlays: dict[str, Overlay] = {}
+        self.figures: dict[str, FigureSource] = {}
+        self.interpolations: dict[str, Interpolation] = {}
+        self._owners: dict[tuple[type, str], str] = {}
+        self._relay = pluggy.PluginManager("layfigure")
+        self._relay.add_hookspecs(hookspecs)
+
+    @classmethod
+    def discover(cls, selection: Selection | None = None) -> Host:
+        """Return a host with every plug-in that the selection lets in: entry points, a folder, single files."""
+        host = cls()
+        for found in find_plugins(selection or Selection()):
+            host.admit(found)
+        return host
+
+    @property
+    def plugins(self) -> tuple[str, ...]:
+        """Names of the plug-ins in service, sorted."""
+        return tuple(sorted(name for name, _ in self._relay.list_name_plugin()))
+
+    def admit(self, found: Found) -> None:
+        """Load one found plug-in and collect its records; a failure becomes a fault."""
+        try:
+            plugin = found.load()
+        except Exception as error:  # an import can raise anything, SystemExit is the author's own wish
+            self._fault(found.name, "importing it", error)
+            return
+        self.register(plugin, found.name)
+
+    def register(self, plugin: object, name: str) -> None:
+        """Put a plug-in (a module or an object with hook implementations) into service under a name."""
+        try:
+            self._relay.register(plugin, name)
+            self._relay.check_pending()
+        except Exception as error:  # ValueError for a name taken twice, PluginValidationError for a wrong hook
+            if self._relay.get_plugin(name) is plugin:
+                self._relay.unregister(plugin)
+            self._fault(name, "registering it", error)
+            return
+        self._collect(plugin, name)
+
+    def owner(self, record: Record) -> str:
+        """Return the name of the plug-in that handed over a record."""
+        return self._owners.get((type(record), record.id), "layfigure")
+
+    def call(self, record: Record, doing: str, function: Callable[..., T], *args: Any) -> T:
+        """Call a function of a plug-in's record under guard.
+
+        Raises:
+            LayfigureError: as the plug-in raised it (a user's mistake, nothing is set aside).
+            PluginError: the plug-in failed and was set aside; the sentence says who and doing what.
+        """
+        try:
+            return function(*args)
+        except LayfigureError:
+            raise
+        except Exception as error:
+            fault = self._fault(self.owner(record), f"{doing} of {record.id}", error)
+            self._set_aside(fault.plugin)
+            raise PluginError(str(fault)) from error
+
+    def refuse(self, record: Record, doing: str, sentence: str) -> PluginError:
+        """Set a plug-in aside that answered against its contract; return the error to raise."""
+        fault = self._fault(self.owner(record), f"{doing} of {record.id}", PluginError(sentence))
+        self._set_aside(fault.plugin)
+        return PluginError(str(fault))
+
+    def notify(self, hook: str, **arguments: object) -> None:
+        """Tell every plug-in something, one at a time; the faulty are set aside, the rest still hear it."""
+        for name, plugin in self._relay.list_name_plugin():
+            if plugin is not None:
+                self._ask_one(plugin, name, hook, arguments)
+
+    def first(self, hook: str, **arguments: object) -> Exchange | bool | None:
+        """Return the first answer that is not None, asking plug-ins one at a time in order of registration."""
+        for name, plugin in self._relay.list_name_plugin():
+            answer = self._ask_one(plugin, name, hook, arguments) if plugin is not None else None
+            if answer is not None:
+                return answer  # type: ignore[no-any-return]
+        return None
+
+    def _collect(self, plugin: object, name: str) -> None:
+        for hook, kind, records in (
+            ("layfigure_techniques", Technique, self.techniques),
+            ("layfigure_renderers", Renderer, self.renderers),
+            ("layfigure_commands", Command, self.commands),
+            ("layfigure_keys", Keymap, self.keymaps),
+            ("layfigure_overlays", Overlay, self.overlays),
+            ("layfigure_figures", FigureSource, self.figures),
+            ("layfigure_interpolations", Interpolation, self.interpolations),
+        ):
+            answer = self._ask_one(plugin, name, hook, {})
+            self._take(name, kind, records, answer if answer is not None else ())
+
+    def _take(self, name: str, kind: type[R], records: dict[str, R], offered: Iterable[object]) -> None:
+        try:
+            offered = list(offered)
+        except TypeError as error:
+            self._fault(name, f"collecting {kind.__name__.lower()} records", error)
+            return
+        for record in offered:
+            if not isinstance(record, kind):
+                wrong = PluginError(f"it handed over a {type(record).__name__} where a {kind.__name__} belongs")
+                self._fault(name, f"collecting {kind.__name__.lower()} records", wrong)
+                continue
+            taken = self._owners.setdefault((kind, record.id), name)
+            if record.id in records:
+                clash = PluginError(f'{kind.__name__.lower()} "{record.id}" belongs to {taken} already; rename one')
+                self._fault(name, f"adding {record.id}", clash)
+                continue
+            records[record.id] = record
+        _sort(records)
+
+    def _ask_one(self, plugin: object, name: str, hook: str, arguments: Mapping[str, object]) -> Any:
+        """Call one plug-in's implementation of one hook; pluggy loses a whole call when one of many raises."""
+        others = [other for _, other in self._relay.list_name_plugin() if other is not None and other is not plugin]
+        caller = self._relay.subset_hook_caller(hook, remove_plugins=others)
+        try:
+            answer = caller(**arguments)
+        except Exception as error:
+            self._fault(name, f"calling {hook}", error)
+            self._set_aside(name)
+            return None
+        if isinstance(answer, list) and not hook.endswith(("_read", "_write")):
+            return answer[0] if answer else None
+        return answer
+
+    def _fault(self, plugin: str, doing: str, error: BaseException) -> Fault:
+        if os.environ.get("LAYFIGURE_STRICT") == "1":
+            raise error
+        sentence = " ".join(str(error).split()) or type(error).__name__
+        if not isinstance(error, LayfigureError):
+            sentence = f"{type(error).__name__}: {sentence}"
+        fault = Fault(plugin, doing, sentence[:300], "".join(traceback.format_exception(error)))
+        self.faults.append(fault)
+        return fault
+
+    def _set_aside(self, name: str) -> None:
+        plugin = self._relay.get_plugin(name)
+        if plugin is not None:
+            self._relay.unregister(plugin)
+        for records in (self.techniques, self.renderers, self.commands, self.keymaps, self.overlays, self.figures):
+            for identifier in [i for i, record in records.items() if self.owner(record) == name]:
+                del records[identifier]  # type: ignore[attr-defined]
+
+
+def _sort(records: dict[str, R]) -> None:
+    ordered = sorted(records.items())
+    records.clear()
+    records.update(ordered)

@@ -1,0 +1,159 @@
+"""Commands that choose among candidates: what becomes limb picks, and the switch between techniques."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from layfigure.drawing.render_list import Rectangle
+from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.plugins.records import Command
+from layfigure.session.describing import spoken_limb
+from layfigure.session.words import WordError, join_line, no_more, number, one_of, required, whole_number
+from layfigure.techniques.contract import Best, LimbPick
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+
+def candidate(session: Session, words: tuple[str, ...], index: int = 0) -> int:
+    """Return word ``index`` as a 0-based candidate of the present offer.
+
+    Raises:
+        ImpossibleError: the technique in use offers no candidates.
+        WordError: there is no such candidate.
+    """
+    count = len(session.offer().candidates)
+    if not count:
+        raise ImpossibleError("there are no candidates to choose from here")
+    return whole_number(words, index, "a candidate", (1, count)) - 1
+
+
+def limbs(session: Session, words: tuple[str, ...], first: int) -> tuple[int, ...]:
+    """Return the limbs that the words from ``first`` name; "all" means every movable limb.
+
+    Raises:
+        WordError: a name is unknown or none is given.
+    """
+    figure = session.document.figure
+    required(words, first, "a limb's name")
+    if words[first:] == ("all",):
+        return figure.movable
+    found = []
+    for index, word in enumerate(words[first:], start=first):
+        try:
+            found.append(figure.index(word))
+        except LayfigureError as error:
+            raise WordError(index + 1, str(error)) from None
+    return tuple(dict.fromkeys(found))
+
+
+def _pick(session: Session, words: tuple[str, ...]) -> None:
+    number_, chosen = candidate(session, words), limbs(session, words, 1)
+    session.tell(_title(session, chosen, number_), LimbPick(number_, chosen))
+    _look_at(session, number_, chosen)
+    session.say(f"Copied {_listed(session, chosen)} from candidate {number_ + 1}.")
+
+
+def _vary(session: Session, words: tuple[str, ...]) -> None:
+    number_ = candidate(session, words)
+    how = one_of(words, 1, "kind of variation", ("swing", "twist"))
+    chosen = limbs(session, words, 2)
+    session.tell(_title(session, chosen, number_), LimbPick(number_, chosen, how))
+    _look_at(session, number_, chosen)
+    session.say(f"Copied {_listed(session, chosen)} from candidate {number_ + 1}; it varies a little in {how}.")
+
+
+def _copy(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 1)
+    if not session.view.selected:
+        raise ImpossibleError("no limb is selected; Tab selects one, Shift-Enter takes the whole candidate")
+    chosen = session.view.candidate + 1
+    names = [session.document.figure.names[limb] for limb in session.view.selected]
+    how = [one_of(words, 0, "kind of variation", ("swing", "twist"))] if words else []
+    session.execute(join_line("vary" if how else "pick", [str(chosen), *how, *names]))
+
+
+def _copy_all(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.execute(f"best {session.view.candidate + 1}")
+
+
+def _best(session: Session, words: tuple[str, ...]) -> None:
+    number_ = candidate(session, words)
+    no_more(words, 1)
+    session.tell(f"take candidate {number_ + 1}", Best(number_))
+    _look_at(session, number_, session.view.selected)
+    session.say(f"Took the whole of candidate {number_ + 1}.")
+
+
+def _choose(session: Session, words: tuple[str, ...]) -> None:
+    number_ = candidate(session, words)
+    no_more(words, 1)
+    session.view = replace(session.view, candidate=number_)
+
+
+def _pick_in(session: Session, words: tuple[str, ...]) -> None:
+    how = one_of(words, 0, "kind of variation", ("plain", "swing", "twist"))
+    shown, view, band = rectangle(words[1:])
+    chosen = session.stage.limbs_in(shown, view, band)
+    if not chosen:
+        raise ImpossibleError("no limb lies wholly inside that rectangle")
+    names = [session.document.figure.names[limb] for limb in chosen]
+    head = [str(shown + 1)] if how == "plain" else [str(shown + 1), how]
+    session.execute(join_line("pick" if how == "plain" else "vary", [*head, *names]))
+
+
+def rectangle(words: tuple[str, ...]) -> tuple[int, str, Rectangle]:
+    """Return candidate, view and pixel rectangle from six words.
+
+    Raises:
+        WordError: a word is missing or wrong.
+    """
+    shown = whole_number(words, 0, "a candidate", (-1, 10_000))
+    view = one_of(words, 1, "view", ("main", "right", "top"))
+    sides = [round(number(words, index, "a pixel coordinate")) for index in range(2, 6)]
+    no_more(words, 6)
+    return shown, view, Rectangle(*sides)
+
+
+def _use(session: Session, words: tuple[str, ...]) -> None:
+    technique = one_of(words, 0, "technique", session.host.techniques)
+    no_more(words, 1)
+    session.use(technique)
+
+
+def _address(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    address = session.offer().address
+    if not address:
+        raise ImpossibleError("this page has no address")
+    session.clipboard_out = address
+    session.say(f"Address of this page (copied): {address}")
+
+
+def _title(session: Session, chosen: tuple[int, ...], number_: int) -> str:
+    return f"copy {_listed(session, chosen)} from {number_ + 1}"
+
+
+def _listed(session: Session, chosen: tuple[int, ...]) -> str:
+    names = [spoken_limb(session.document.figure, limb) for limb in chosen]
+    return ", ".join(names) if len(names) <= 3 else f"{len(names)} limbs"
+
+
+def _look_at(session: Session, number_: int, chosen: tuple[int, ...]) -> None:
+    selected = chosen if len(chosen) == 1 else session.view.selected
+    session.view = replace(session.view, candidate=number_, selected=selected)
+
+
+COMMANDS = (
+    Command("pick", "Copy limbs from a candidate", _pick, "CANDIDATE LIMB…", logged=True),
+    Command("vary", "Copy limbs and let them vary a little", _vary, "CANDIDATE swing|twist LIMB…", logged=True),
+    Command("best", "Take a whole candidate", _best, "CANDIDATE", logged=True),
+    Command("choose", "Choose a candidate", _choose, "CANDIDATE"),
+    Command("copy", "Copy the selected limbs from the chosen candidate", _copy, "[swing|twist]"),
+    Command("copy-all", "Take the chosen candidate as a whole", _copy_all),
+    Command("pick-in", "Copy the limbs inside a rectangle", _pick_in, "plain|swing|twist CANDIDATE VIEW X Y W H"),
+    Command("use", "Switch to a technique", _use, "TECHNIQUE", logged=True),
+    Command("address", "Show and copy the address of this page", _address),
+)

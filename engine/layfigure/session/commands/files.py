@@ -1,0 +1,123 @@
+"""Commands that read and write files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from layfigure.errors import FileError, ImpossibleError
+from layfigure.figures.figure import Figure
+from layfigure.files.reading import read_text
+from layfigure.files.writing import write_text
+from layfigure.plugins.records import Command, Exchange
+from layfigure.poses.pose import Pose
+from layfigure.poses.pose_file import read_pose, write_pose
+from layfigure.session.commands.pose import pose_line
+from layfigure.session.picture_file import save_sheet
+from layfigure.session.words import join_line, no_more, required
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+
+def _save(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 1)
+    path = _save_path(session, words[0] if words else "")
+    figure, pose = session.document.figure, session.document.pose
+    if path.suffix not in (".pose", ""):
+        if session.host.first("layfigure_write", document=Exchange(figure, (pose,)), path=path) is None:
+            raise FileError(f'{path}: no plug-in writes "{path.suffix}" files; use .pose')
+        session.say(f"Saved {path.name}.")
+        return
+    path = path.with_suffix(".pose")
+    write_text(path, write_pose(figure, pose))
+    session.saved_as = path
+    picture = path.with_suffix(".png")
+    save_sheet(session, pose, picture)
+    session.say(f"Saved {_shown(path)} and its picture {picture.name}.")
+
+
+def _save_path(session: Session, name: str) -> Path:
+    if name:
+        return session.options.folder / Path(name).expanduser()
+    if session.saved_as is not None:
+        return session.saved_as
+    return free_path(session.options.folder, session.document.figure.name)
+
+
+def free_path(folder: Path, figure: str) -> Path:
+    """Return the first of ``figure-1.pose``, ``figure-2.pose``, … that takes no existing pose or picture's place.
+
+    Raises:
+        ImpossibleError: thousands of names are taken.
+    """
+    stem = "".join(character if character.isalnum() or character in "-_" else "-" for character in figure)
+    for count in range(1, 10_000):
+        path = folder / f"{stem}-{count}.pose"
+        if not path.exists() and not path.with_suffix(".png").exists():
+            return path
+    raise ImpossibleError("thousands of poses are here already; save under a name of your own")
+
+
+def _open(session: Session, words: tuple[str, ...]) -> None:
+    path = session.options.folder / Path(required(words, 0, "a file's name")).expanduser()
+    no_more(words, 1)
+    if path.suffix == ".fig":
+        session.execute(join_line("figure", [str(path)]))
+        return
+    figure, pose = _read(session, path)
+    if figure.name != session.document.figure.name:
+        session.execute(join_line("figure", [figure.name]))
+    session.execute(pose_line(session, pose))
+    session.saved_as = path if path.suffix == ".pose" else None
+    session.say(f"Opened {_shown(path)}.")
+
+
+def _read(session: Session, path: Path) -> tuple[Figure, Pose]:
+    if path.suffix == ".pose":
+        return read_pose(read_text(path), path)
+    exchange = session.host.first("layfigure_read", path=path)
+    if not isinstance(exchange, Exchange) or not exchange.poses:
+        raise FileError(f'{path}: is neither a .pose nor a .fig file, and no plug-in reads "{path.suffix}" files')
+    return exchange.figure, exchange.poses[0]
+
+
+def _picture(session: Session, words: tuple[str, ...]) -> None:
+    name = required(words, 0, "a picture's name")
+    no_more(words, 1)
+    path = session.options.folder / Path(name).expanduser()
+    path = path if path.suffix else path.with_suffix(".png")
+    save_sheet(session, session.document.pose, path)
+    session.say(f"Saved {_shown(path)}.")
+
+
+def _save_log(session: Session, words: tuple[str, ...]) -> None:
+    name = required(words, 0, "a log's name")
+    no_more(words, 1)
+    path = (session.options.folder / Path(name).expanduser()).with_suffix(".log")
+    write_text(path, "\n".join(session.log) + "\n")
+    session.say(f"Saved {_shown(path)}; layfigure replay plays it again.")
+
+
+def _screenshot(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 1)
+    name = words[0] if words else ""
+    path = session.options.folder / (Path(name).expanduser() if name else free_path(session.options.folder, "window"))
+    session.screenshot_request = path.with_suffix(".png")
+    session.say(f"Saved {_shown(path.with_suffix('.png'))}.")
+
+
+def _shown(path: Path) -> str:
+    try:
+        return str(path.relative_to(Path.cwd()))
+    except ValueError:
+        return str(path)
+
+
+COMMANDS = (
+    Command("save", "Save the pose and its picture", _save, "[NAME]"),
+    Command("open", "Open a pose or a figure", _open, "FILE"),
+    Command("picture", "Save a picture of the pose", _picture, "NAME"),
+    Command("save-log", "Save the session as a log that can be replayed", _save_log, "NAME"),
+    Command("screenshot", "Save a picture of the window", _screenshot, "[NAME]"),
+)

@@ -1,0 +1,125 @@
+"""Commands of the interface itself: help, the palette, cancelling, quitting."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.figures.library import figure_names
+from layfigure.plugins.records import Command
+from layfigure.session.keymap import spoken
+from layfigure.session.matching import Entry
+from layfigure.session.modes import HelpMode, PaletteMode, help_page
+from layfigure.session.words import no_more, one_of, whole_number
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+_HIDDEN = {"accept", "complete", "row", "erase", "scroll", "ask", "pick-in", "enable-in", "camera", "palette"}
+
+
+def _help(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    titles = {name: command.title for name, command in session.commands().items()}
+    session.modes.append(HelpMode(help_page(session.key_table(), session.situation, titles)))
+
+
+def _palette(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    table, situation = session.key_table(), replace(session.situation, state="pose")
+    entries = []
+    for name, command in sorted(session.commands().items(), key=lambda item: item[1].title):
+        keys = table.keys_for(name, situation)
+        if name not in _HIDDEN:
+            entries.append(Entry(name, command.title, command.usage, spoken(keys[0]) if keys else ""))
+    session.modes.append(PaletteMode(tuple(entries)))
+
+
+def _ask(session: Session, words: tuple[str, ...]) -> None:
+    name = one_of(words, 0, "question", ("select", "open", "save"))
+    no_more(words, 1)
+    entries, prompt = _choices(session, name)
+    session.modes.append(PaletteMode(entries, prompt=prompt, prefix=name))
+
+
+def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
+    figure = session.document.figure
+    if name == "select":
+        return tuple(Entry(figure.names[limb], "") for limb in figure.selectable), "Select limb:"
+    if name == "save":
+        return (), "Save as:"
+    found = sorted(session.options.folder.glob("*.pose"))[:200]
+    poses = tuple(Entry(path.name, "a pose in this folder") for path in found)
+    return poses, "Open:"
+
+
+def _cancel(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    if len(session.modes) > 1:
+        session.modes.pop()
+    else:
+        session.view = replace(session.view, selected=())
+
+
+def _typing(session: Session) -> PaletteMode:
+    if not isinstance(session.mode, PaletteMode):
+        raise ImpossibleError("nothing is being typed")
+    return session.mode
+
+
+def _accept(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    mode = _typing(session)
+    try:
+        session.modes.pop()
+        session.execute(mode.line())
+    except LayfigureError as error:
+        session.modes.append(replace(mode, message=str(error)))
+
+
+def _complete(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.modes[-1] = _typing(session).completed()
+
+
+def _row(session: Session, words: tuple[str, ...]) -> None:
+    session.modes[-1] = _typing(session).moved(whole_number(words, 0, "a number of rows", (-100, 100)))
+
+
+def _erase(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.modes[-1] = _typing(session).erased()
+
+
+def _scroll(session: Session, words: tuple[str, ...]) -> None:
+    lines = whole_number(words, 0, "a number of lines", (-1000, 1000))
+    if isinstance(session.mode, HelpMode):
+        session.modes[-1] = session.mode.scrolled(lines)
+
+
+def _quit(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.close()
+
+
+def _figures(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    names = (*figure_names(), *session.host.figures)
+    entries = tuple(Entry(name, "a figure") for name in names)
+    session.modes.append(PaletteMode(entries, prompt="Figure:", prefix="figure"))
+
+
+COMMANDS = (
+    Command("help", "Show the keys", _help),
+    Command("palette", "Type a command", _palette),
+    Command("figures", "Choose another figure", _figures),
+    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save"),
+    Command("cancel", "Let go", _cancel),
+    Command("accept", "Do what is typed", _accept),
+    Command("complete", "Complete the word", _complete),
+    Command("row", "Choose another row", _row, "ROWS"),
+    Command("erase", "Erase a character", _erase),
+    Command("scroll", "Scroll the help", _scroll, "LINES"),
+    Command("quit", "Quit", _quit),
+)

@@ -1,0 +1,133 @@
+"""Commands that select limbs and say which of them may change."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from layfigure.errors import ImpossibleError
+from layfigure.plugins.records import Command
+from layfigure.session.commands.candidates import limbs, rectangle
+from layfigure.session.describing import spoken_limb
+from layfigure.session.words import join_line, no_more, one_of
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+
+def _select(session: Session, words: tuple[str, ...]) -> None:
+    _show(session, limbs(session, words, 0))
+
+
+def _select_none(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.view = replace(session.view, selected=())
+
+
+def _step(session: Session, by: int) -> None:
+    order = session.document.figure.selectable
+    selected = session.view.selected
+    if not selected:
+        _show(session, (order[1 if by > 0 and len(order) > 1 else -1],))
+    else:
+        position = order.index(selected[-1]) if selected[-1] in order else 0
+        _show(session, (order[(position + by) % len(order)],))
+
+
+def _next(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    _step(session, 1)
+
+
+def _previous(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    _step(session, -1)
+
+
+def _parent(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    figure, limb = session.document.figure, _selected(session)
+    above = figure.limbs[limb].parent
+    while above > 0 and not figure.limbs[above].movable:
+        above = figure.limbs[above].parent
+    if above < 0:
+        raise ImpossibleError("there is no limb above the root")
+    _show(session, (above,))
+
+
+def _child(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    figure, limb = session.document.figure, _selected(session)
+    below = sorted(figure.subtree(limb) - {limb})
+    movable = [index for index in below if figure.limbs[index].movable]
+    if not movable:
+        raise ImpossibleError(f"no limb below the {spoken_limb(figure, limb)} can move")
+    _show(session, (movable[0],))
+
+
+def _opposite(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    figure, limb = session.document.figure, _selected(session)
+    twin = figure.limbs[limb].twin
+    if twin == limb:
+        raise ImpossibleError(f"the {spoken_limb(figure, limb)} has no mirror twin")
+    _show(session, (twin,))
+
+
+def _toggle(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    chosen = session.view.selected
+    if not chosen:
+        raise ImpossibleError("no limb is selected; Tab selects one")
+    names = [session.document.figure.names[limb] for limb in chosen]
+    verb = "disable" if session.document.enabled.issuperset(chosen) else "enable"
+    session.execute(join_line(verb, names))
+
+
+def _enable(session: Session, words: tuple[str, ...]) -> None:
+    chosen = frozenset(limbs(session, words, 0)) & frozenset(session.document.figure.movable)
+    session.commit("enable limbs", session.workshop.set_enabled(session.document, session.document.enabled | chosen))
+    session.say(f"{_amount(session)} may change.")
+
+
+def _disable(session: Session, words: tuple[str, ...]) -> None:
+    chosen = frozenset(limbs(session, words, 0))
+    session.commit("keep limbs", session.workshop.set_enabled(session.document, session.document.enabled - chosen))
+    session.say(f"{_amount(session)} may change; the others keep what they have.")
+
+
+def _enable_in(session: Session, words: tuple[str, ...]) -> None:
+    switch = one_of(words, 0, "switch", ("on", "off"))
+    shown, view, band = rectangle(words[1:])
+    chosen = session.stage.limbs_in(shown, view, band)
+    if not chosen:
+        raise ImpossibleError("no limb lies wholly inside that rectangle")
+    names = [session.document.figure.names[limb] for limb in chosen]
+    session.execute(join_line("enable" if switch == "on" else "disable", names))
+
+
+def _amount(session: Session) -> str:
+    return f"{len(session.document.enabled)} of {len(session.document.figure.movable)} limbs"
+
+
+def _selected(session: Session) -> int:
+    return session.view.selected[-1] if session.view.selected else 0
+
+
+def _show(session: Session, chosen: tuple[int, ...]) -> None:
+    session.view = replace(session.view, selected=chosen)
+
+
+COMMANDS = (
+    Command("select", "Select limbs", _select, "LIMB…"),
+    Command("select-none", "Select nothing", _select_none),
+    Command("next-limb", "Select the next limb", _next),
+    Command("previous-limb", "Select the previous limb", _previous),
+    Command("parent-limb", "Select the limb above", _parent),
+    Command("child-limb", "Select the limb below", _child),
+    Command("opposite-limb", "Select the mirror twin", _opposite),
+    Command("toggle", "Let the selected limbs change, or keep them", _toggle),
+    Command("enable", "Let limbs change", _enable, "LIMB…|all", logged=True),
+    Command("disable", "Keep limbs as they are", _disable, "LIMB…|all", logged=True),
+    Command("enable-in", "Enable or keep the limbs inside a rectangle", _enable_in, "on|off CANDIDATE VIEW X Y W H"),
+)

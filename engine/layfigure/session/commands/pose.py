@@ -1,0 +1,128 @@
+"""Commands that change the pose itself, whatever technique is in use, and undo."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from layfigure.errors import ImpossibleError
+from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.figure import limit_of
+from layfigure.session.figures import open_figure
+from layfigure.plugins.records import Command
+from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.pose import Pose
+from layfigure.poses.symmetry import flipped
+from layfigure.session.commands.candidates import limbs
+from layfigure.session.describing import spoken_limb
+from layfigure.session.document import Document
+from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+
+def _initialise(session: Session, words: tuple[str, ...]) -> None:
+    if words or not session.view.selected:
+        session.execute(join_line("rest", words or ("all",)))
+        return
+    names = [session.document.figure.names[limb] for limb in session.view.selected]
+    session.execute(join_line("rest", names))
+
+
+def _rest(session: Session, words: tuple[str, ...]) -> None:
+    figure, pose = session.document.figure, session.document.pose
+    rest = Pose.rest(figure)
+    if words == ("all",):
+        session.set_pose("initialise all", rest, fresh=True)
+        session.say("Everything is back to rest; the first generation begins again.")
+        return
+    chosen = limbs(session, words, 0)
+    session.set_pose("initialise limbs", pose.with_joints_of(rest, chosen))
+    session.say(f"Back to rest: {', '.join(spoken_limb(figure, limb) for limb in chosen)}.")
+
+
+def _set(session: Session, words: tuple[str, ...]) -> None:
+    figure = session.document.figure
+    (limb,) = limbs(session, words[:1], 0)
+    angles = [number(words, index, "an angle in degrees") for index in (1, 2, 3)]
+    no_more(words, 4)
+    for index, (kind, angle) in enumerate(zip(DOF_KINDS, angles, strict=True)):
+        if limb and angle and figure.limbs[limb].dof(kind) is None:
+            raise WordError(index + 2, f"the {spoken_limb(figure, limb)} has no {kind}; 0 is wanted here")
+        if abs(angle) > 180:
+            raise WordError(index + 2, f"{words[index + 1]} is out of bounds: angles go from -180 to 180")
+    session.set_pose(f"set {figure.names[limb]}", session.document.pose.with_joint(limb, *angles))
+
+
+def _nudge(session: Session, words: tuple[str, ...]) -> None:
+    kind = one_of(words, 0, "degree of freedom", DOF_KINDS)
+    step = number(words, 1, "a number of degrees")
+    no_more(words, 2)
+    figure = session.document.figure
+    if not session.view.selected:
+        raise ImpossibleError("no limb is selected; Tab selects one")
+    limb = figure.limbs[session.view.selected[-1]]
+    if limb.index and limb.dof(kind) is None:
+        raise ImpossibleError(f"the {spoken_limb(figure, limb.index)} has no {kind}")
+    angles = session.document.pose.angles[limb.index].copy()
+    column = DOF_KINDS.index(kind)
+    low, high = limit_of(limb, kind) if limb.dof(kind) else (-180.0, 180.0)
+    present = angles[column]
+    angles[column] = np.clip(present + step, min(low, present), max(high, present))
+    session.execute(join_line("set", [limb.name, *(f"{angle:.6f}" for angle in angles)]))
+
+
+def _flip(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.set_pose("mirror the pose", flipped(session.document.figure, session.document.pose))
+    session.say("Mirrored the pose.")
+
+
+def _pose(session: Session, words: tuple[str, ...]) -> None:
+    token = required(words, 0, "a packed pose")
+    no_more(words, 1)
+    session.set_pose("open a pose", unpack_pose(session.document.figure, token))
+
+
+def _figure(session: Session, words: tuple[str, ...]) -> None:
+    name = required(words, 0, "a figure's name")
+    no_more(words, 1)
+    document = Document.new(open_figure(session.host, name))
+    session.view = replace(session.view, selected=(), hover=None, candidate=0)
+    session.commit(f"figure {name}", session.workshop.use(document, session.document.technique))
+    session.saved_as = None
+
+
+def _undo(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    change = session.history.undo()
+    session.restore(change.before)
+    session.say(f"Undone: {change.title}.")
+
+
+def _redo(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    change = session.history.redo()
+    session.restore(change.after)
+    session.say(f"Done again: {change.title}.")
+
+
+def pose_line(session: Session, pose: Pose) -> str:
+    """Return the command line that sets a whole pose in a log."""
+    return join_line("pose", [pack_pose(session.document.figure, pose)])
+
+
+COMMANDS = (
+    Command("initialise", "Selected limbs, or everything, back to rest", _initialise, "[LIMB…|all]"),
+    Command("rest", "Put limbs back to rest", _rest, "LIMB…|all", logged=True),
+    Command("set", "Set a joint's angles", _set, "LIMB FLEXION PIVOT TWIST", logged=True),
+    Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist DEGREES"),
+    Command("flip", "Mirror the pose", _flip, logged=True),
+    Command("pose", "Set the whole pose from its packed form", _pose, "PACKED", logged=True),
+    Command("figure", "Begin with another figure", _figure, "NAME", logged=True),
+    Command("undo", "Undo", _undo, logged=True),
+    Command("redo", "Redo", _redo, logged=True),
+)

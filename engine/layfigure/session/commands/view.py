@@ -1,0 +1,98 @@
+"""Commands that steer the picture; none of them touches the document."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from layfigure.drawing.camera import Camera, as_matrix, fixed_view
+from layfigure.drawing.render_list import PLAIN, RECOMMENDED, SMOOTH
+from layfigure.plugins.records import Command
+from layfigure.session.modes import Plain
+from layfigure.session.theme import theme_names
+from layfigure.session.words import no_more, number, one_of, required
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
+
+
+class OrbitMode(Plain):
+    """Dragging and arrows turn the view until V or Esc."""
+
+    @property
+    def state(self) -> str:
+        """The name keymaps know it by."""
+        return "orbit"
+
+
+def _view(session: Session, words: tuple[str, ...]) -> None:
+    name = required(words, 0, "a view")
+    no_more(words, 1)
+    session.view = replace(session.view, camera=fixed_view(name))
+
+
+def _orbit(session: Session, words: tuple[str, ...]) -> None:
+    across = np.radians(number(words, 0, "degrees to the right"))
+    upward = np.radians(number(words, 1, "degrees upward"))
+    no_more(words, 2)
+    rotation = np.array(session.view.camera.rotation)
+    about_world_up = np.array(
+        [[np.cos(across), 0, -np.sin(across)], [0, 1, 0], [np.sin(across), 0, np.cos(across)]]
+    )
+    about_screen = np.array([[1, 0, 0], [0, np.cos(upward), np.sin(upward)], [0, -np.sin(upward), np.cos(upward)]])
+    turned = as_matrix(about_screen @ rotation @ about_world_up)
+    session.view = replace(session.view, camera=Camera(turned, session.view.camera.zoom))
+
+
+def _camera(session: Session, words: tuple[str, ...]) -> None:
+    values = [number(words, index, "a number of the rotation") for index in range(9)]
+    zoom = number(words, 9, "the zoom")
+    no_more(words, 10)
+    session.view = replace(session.view, camera=Camera(as_matrix(np.reshape(values, (3, 3))), min(max(zoom, 0.1), 20)))
+
+
+def _zoom(session: Session, words: tuple[str, ...]) -> None:
+    factor = number(words, 0, "a factor")
+    no_more(words, 1)
+    zoom = min(max(session.view.camera.zoom * factor, 0.25), 8.0)
+    session.view = replace(session.view, camera=replace(session.view.camera, zoom=zoom))
+
+
+def _orbit_mode(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    session.modes.append(OrbitMode())
+    session.say("Turning the view: drag or use the arrows; V or Esc ends it.")
+
+
+def _renderer(session: Session, words: tuple[str, ...]) -> None:
+    identifier = one_of(words, 0, "renderer", session.host.renderers)
+    no_more(words, 1)
+    session.view = replace(session.view, renderer=identifier)
+
+
+def _look(session: Session, words: tuple[str, ...]) -> None:
+    name = one_of(words, 0, "look", LOOKS)
+    no_more(words, 1)
+    session.view = replace(session.view, look=LOOKS[name])
+
+
+def _theme(session: Session, words: tuple[str, ...]) -> None:
+    name = one_of(words, 0, "theme", theme_names())
+    no_more(words, 1)
+    session.view = replace(session.view, theme=name)
+
+
+COMMANDS = (
+    Command("view", "Go to a fixed view", _view, "front|right|left|back|top"),
+    Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD"),
+    Command("camera", "Set the camera", _camera, "R11…R33 ZOOM"),
+    Command("zoom", "Zoom by a factor", _zoom, "FACTOR"),
+    Command("orbit-mode", "Turn the view by dragging or arrows", _orbit_mode),
+    Command("renderer", "Draw with another renderer", _renderer, "RENDERER"),
+    Command("look", "Choose how much care a picture takes", _look, "plain|smooth|full"),
+    Command("theme", "Change the colours of the window", _theme, "THEME"),
+)

@@ -1,0 +1,61 @@
+"""Makes a command of each control that a technique declares, so that keys, clicks, scripts and logs all reach it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from layfigure.plugins.records import Command
+from layfigure.session.words import WordError, no_more, number, one_of
+from layfigure.techniques.contract import Action, Choice, Control, Controls, Slider
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+
+def control_command(control: Controls) -> Command:
+    """Return the command of a control."""
+    match control:
+        case Action():
+            return _action(control)
+        case Slider():
+            return _slider(control)
+        case Choice():
+            return _choice(control)
+
+
+def _action(control: Action) -> Command:
+    def run(session: Session, words: tuple[str, ...]) -> None:
+        value = words[0] if words and control.argument else None
+        no_more(words, 1 if control.argument else 0)
+        session.tell(control.title, Control(control.name, value), entry=not control.navigates)
+
+    return Command(control.name, control.title, run, usage=control.argument, logged=True)
+
+
+def _slider(control: Slider) -> Command:
+    def run(session: Session, words: tuple[str, ...]) -> None:
+        no_more(words, 1)
+        value = number(words, 0, f"a number from {control.low:g} to {control.high:g}")
+        if words[0][0] in "+-":
+            present = session.offer().values.get(control.name, control.low)
+            value = min(max(float(present) + value, control.low), control.high)
+        if not control.low <= value <= control.high:
+            raise WordError(1, f"{words[0]} is out of bounds: {control.title} goes from {control.low:g} to {control.high:g}")
+        session.tell(f"{control.title} {value:g}", Control(control.name, value))
+
+    return Command(control.name, control.title, run, usage=f"{control.low:g}…{control.high:g}", logged=True)
+
+
+def _choice(control: Choice) -> Command:
+    values = [value for value, _ in control.options]
+
+    def run(session: Session, words: tuple[str, ...]) -> None:
+        no_more(words, 1)
+        if words:
+            value = one_of(words, 0, control.title, values)
+        else:
+            present = str(session.offer().values.get(control.name, values[-1]))
+            value = values[(values.index(present) + 1) % len(values)] if present in values else values[0]
+        session.tell(f"{control.title}: {value}", Control(control.name, value))
+
+    return Command(control.name, control.title, run, usage="|".join(values), logged=True)

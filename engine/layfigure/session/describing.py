@@ -1,0 +1,47 @@
+"""Says in words what is selected."""
+
+from __future__ import annotations
+
+import re
+
+from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.figure import Figure, Limb
+from layfigure.session.document import Document
+
+_FREEDOM = {
+    0: "cannot move",
+    1: "flexion only",
+    3: "flexion and pivot",
+    7: "flexion, pivot and twist",
+}
+
+
+def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, ...]:
+    """Return one line for the name and one or two for how a limb stands; a hint where nothing is selected."""
+    figure = document.figure
+    if not selected:
+        kept = len(figure.movable) - len(document.enabled & frozenset(figure.movable))
+        state = "every limb may change" if not kept else f"{kept} of {len(figure.movable)} limbs are kept as they are"
+        return ("No limb selected", state)
+    if len(selected) > 1:
+        return (f"{len(selected)} limbs selected", ", ".join(spoken_limb(figure, limb) for limb in selected[:4]))
+    limb = figure.limbs[selected[0]]
+    kept_note = "" if limb.index in document.enabled or limb.index == 0 else " (kept)"
+    angles = document.pose.angles[limb.index]
+    stands = "  ".join(
+        f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.dof(kind) or limb.index == 0
+    )
+    return (f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}", stands)
+
+
+def spoken_limb(figure: Figure, index: int) -> str:
+    """Return a limb's name as people say it: ``leftforearm`` becomes ``left forearm``."""
+    name = figure.names[index]
+    return re.sub(r"^(left|right|front|hind|rear|back)(?=[a-z])", r"\1 ", name)
+
+
+def freedom(limb: Limb) -> str:
+    """Return in words how a limb can move, what its colour says in pictures."""
+    bits = sum(1 << i for i, kind in enumerate(DOF_KINDS) if limb.dof(kind))
+    kinds = [kind for kind in DOF_KINDS if limb.dof(kind)]
+    return _FREEDOM.get(bits, " and ".join(kinds) + (" only" if len(kinds) == 1 else ""))

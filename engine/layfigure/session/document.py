@@ -1,0 +1,36 @@
+"""The document: what undo brings back, as one frozen value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Any
+
+from layfigure.figures.figure import Figure
+from layfigure.poses.pose import Pose
+
+
+@dataclass(frozen=True, eq=False)
+class Document:
+    """One figure in work: its shared pose, the limbs that may change, the technique in use and every technique's state.
+
+    ``fresh`` is true until the pose is first changed: techniques then start with first-generation rules.
+    """
+
+    figure: Figure
+    pose: Pose
+    enabled: frozenset[int]
+    technique: str = ""
+    fresh: bool = True
+    states: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    @staticmethod
+    def new(figure: Figure) -> Document:
+        """Return a fresh document: the figure at rest, every movable limb enabled."""
+        return Document(figure, Pose.rest(figure), frozenset(figure.movable))
+
+    def with_state(self, technique: str, state: Any, pose: Pose) -> Document:
+        """Return the document after a technique moved to ``state`` and stands at ``pose``."""
+        states = MappingProxyType({**self.states, technique: state})
+        return replace(self, states=states, pose=pose, fresh=self.fresh and pose == self.pose)

@@ -1,0 +1,126 @@
+"""Pointer gestures: a press becomes a click, a rectangle, a turned view or a moved slider."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from layfigure.drawing.camera import Camera
+from layfigure.drawing.render_list import Rectangle
+from layfigure.session.events import Event, KeyEvent, PointerEvent
+from layfigure.session.frame import Outline, Pane, SliderBar
+from layfigure.session.modes import Become, GiveUp, Outcome, Plain, Pop, Preview, Run
+from layfigure.session.words import join_line
+
+CLICK_SLACK = 4.0
+
+
+@dataclass(frozen=True)
+class SliderDrag(Plain):
+    """A slider's knob follows the pointer; the value counts when the button is let go."""
+
+    bar: SliderBar
+    line: str = ""
+
+    def hear(self, event: Event) -> Sequence[Outcome] | None:
+        """Preview while moving, run on release, give up on Esc."""
+        if isinstance(event, KeyEvent):
+            return [Pop(), GiveUp()] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        line = slider_line(self.bar, event.x)
+        if event.kind == "release":
+            return [Pop(), Run(line)]
+        return [Become(replace(self, line=line)), Preview(line)]
+
+
+def slider_line(bar: SliderBar, x: float) -> str:
+    """Return the command line that a pointer at ``x`` on a slider means."""
+    share = (x - bar.rectangle.x) / max(bar.rectangle.width, 1)
+    raw = bar.low + min(max(share, 0.0), 1.0) * (bar.high - bar.low)
+    steps = round((raw - bar.low) / bar.step)
+    return f"{bar.command} {min(bar.low + steps * bar.step, bar.high):g}"
+
+
+@dataclass(frozen=True)
+class OrbitDrag(Plain):
+    """The figure is grabbed and turned on the virtual ball; a press let go without moving runs ``click``."""
+
+    pane: Pane
+    start: tuple[float, float]
+    camera: Camera
+    click: str = ""
+    moved: bool = False
+
+    def hear(self, event: Event) -> Sequence[Outcome] | None:
+        """Turn while moving; on Esc the view goes back."""
+        if isinstance(event, KeyEvent):
+            return [Pop(), Run(camera_line(self.camera))] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        moved = self.moved or _far(self.start, event)
+        turn = [Run(camera_line(self._turned(event)))] if moved else []
+        if event.kind == "release":
+            return [Pop(), *turn] if moved or not self.click else [Pop(), Run(self.click)]
+        return [Become(replace(self, moved=moved)), *turn]
+
+    def _turned(self, event: PointerEvent) -> Camera:
+        return self.camera.turned(ball_point(self.pane, *self.start), ball_point(self.pane, event.x, event.y))
+
+
+def ball_point(pane: Pane, x: float, y: float) -> tuple[float, float]:
+    """Return a pointer position in units of the virtual ball's radius from the pane's centre, y up."""
+    left, top, width, height = pane.rectangle
+    radius = min(width, height) / 2
+    return ((x - left - width / 2) / radius, -(y - top - height / 2) / radius)
+
+
+def camera_line(camera: Camera) -> str:
+    """Return the command line that sets a camera."""
+    return join_line("camera", [*(f"{value:.9g}" for row in camera.rotation for value in row), f"{camera.zoom:.4g}"])
+
+
+@dataclass(frozen=True)
+class BandDrag(Plain):
+    """A press on a view: let go at once it is a click, dragged it is a rectangle over limbs.
+
+    ``band`` is the command that gets the view and the rectangle; ``click`` runs where the pointer did not move.
+    """
+
+    pane: Pane
+    start: tuple[float, float]
+    click: str
+    band: str
+    now: tuple[float, float] | None = None
+
+    def hear(self, event: Event) -> Sequence[Outcome] | None:
+        """Grow the rectangle while moving, take what is inside on release, give up on Esc."""
+        if isinstance(event, KeyEvent):
+            return [Pop()] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        moved = self.now is not None or _far(self.start, event)
+        grown = replace(self, now=(event.x, event.y) if moved else None)
+        if event.kind == "move":
+            return [Become(grown)]
+        if not moved:
+            return [Pop(), *([Run(self.click)] if self.click else [])]
+        box = grown.rectangle()
+        where = f"{self.pane.candidate} {self.pane.view} {box.x} {box.y} {box.width} {box.height}"
+        return [Pop(), *([Run(f"{self.band} {where}")] if self.band else [])]
+
+    def rectangle(self) -> Rectangle:
+        """Return the rubber band in surface pixels, kept within the pane."""
+        left, top, width, height = self.pane.rectangle
+        (x1, y1), (x2, y2) = self.start, self.now or self.start
+        low_x, high_x = max(min(x1, x2), left), min(max(x1, x2), left + width)
+        low_y, high_y = max(min(y1, y2), top), min(max(y1, y2), top + height)
+        return Rectangle(round(low_x), round(low_y), round(high_x - low_x), round(high_y - low_y))
+
+    def outlines(self) -> tuple[Outline, ...]:
+        """Return the rubber band once it is one."""
+        return (Outline(self.rectangle(), "band"),) if self.now is not None else ()
+
+
+def _far(start: tuple[float, float], event: PointerEvent) -> bool:
+    return abs(event.x - start[0]) > CLICK_SLACK or abs(event.y - start[1]) > CLICK_SLACK

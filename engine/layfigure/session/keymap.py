@@ -1,0 +1,149 @@
+"""Key bindings as data: which command line a key means, by state of the interface, technique and front end."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from layfigure.errors import LayfigureError
+from layfigure.techniques.contract import Action, Choice, Controls, Slider
+
+STATES = ("pose", "orbit", "help", "palette", "question")
+
+
+@dataclass(frozen=True)
+class Binding:
+    """Keys that run a command line. ``{key}`` in the command stands for the key pressed.
+
+    ``technique`` and ``frontend`` narrow the binding down; empty means any. ``hint`` puts it into the status line.
+    """
+
+    keys: tuple[str, ...]
+    command: str
+    title: str = ""
+    group: str = "Everywhere"
+    when: str = "pose"
+    technique: str = ""
+    frontend: str = ""
+    hint: bool = False
+
+
+@dataclass(frozen=True)
+class Situation:
+    """Where a key is pressed: interface state, technique in use, front end."""
+
+    state: str
+    technique: str
+    frontend: str
+
+
+@dataclass(frozen=True)
+class KeyTable:
+    """All bindings, the stronger ones later."""
+
+    bindings: tuple[Binding, ...]
+
+    def resolve(self, key: str, situation: Situation) -> str | None:
+        """Return the command line a key means, or None. Bindings of a technique win over general ones."""
+        best = None
+        for binding in self.valid(situation):
+            if key in binding.keys and (best is None or bool(binding.technique) >= bool(best.technique)):
+                best = binding
+        return best.command.replace("{key}", key) if best else None
+
+    def valid(self, situation: Situation) -> Iterator[Binding]:
+        """Yield the bindings that apply in a situation."""
+        for binding in self.bindings:
+            if (
+                binding.when == situation.state
+                and binding.technique in ("", situation.technique)
+                and binding.frontend in ("", situation.frontend)
+            ):
+                yield binding
+
+    def keys_for(self, command: str, situation: Situation) -> tuple[str, ...]:
+        """Return the keys that mean exactly this command line in a situation, best first."""
+        found = [key for binding in self.valid(situation) if binding.command == command for key in binding.keys]
+        return tuple(key for key in dict.fromkeys(found) if self.resolve(key, situation) == command)
+
+
+def parse_keymap(text: str, source: str) -> tuple[Binding, ...]:
+    """Parse the TOML text of a keymap.
+
+    Raises:
+        LayfigureError: it is not TOML, or a binding is not one; the sentence says which.
+    """
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise LayfigureError(f"{source}: is not a keymap: {error}") from None
+    rows = data.get("binding", [])
+    if not isinstance(rows, list):
+        raise LayfigureError(f'{source}: bindings are written as [[binding]], with "keys" and "command"')
+    return tuple(_binding(row, f"{source}: binding {count}") for count, row in enumerate(rows, start=1))
+
+
+def _binding(row: Any, where: str) -> Binding:
+    fields = Binding.__dataclass_fields__
+    if not isinstance(row, dict) or not {"keys", "command"} <= set(row) <= set(fields):
+        raise LayfigureError(f'{where}: needs "keys" and "command", and may have {", ".join(sorted(fields))}')
+    keys = row["keys"]
+    if not isinstance(keys, list) or not all(isinstance(key, str) for key in keys):
+        raise LayfigureError(f'{where}: "keys" must be a list of key names such as ["ctrl+z", "u"]')
+    for name, value in row.items():
+        wanted = bool if name == "hint" else str
+        if name != "keys" and not isinstance(value, wanted):
+            raise LayfigureError(f'{where}: "{name}" must be a {"true or false" if wanted is bool else "text"}')
+    if row.get("when", "pose") not in STATES:
+        raise LayfigureError(f'{where}: "when" must be one of {", ".join(STATES)}')
+    return Binding(**{**row, "keys": tuple(keys)})
+
+
+def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -> Iterator[Binding]:
+    """Yield the bindings that a technique declares with its controls."""
+    for control in controls:
+        match control:
+            case Action() if control.keys:
+                yield Binding(control.keys, control.name, control.title, title, technique=technique, hint=True)
+            case Slider(keys=(down, up)):
+                step = f"{control.step:g}"
+                yield Binding(
+                    (down,), f"{control.name} -{step}", f"{control.title} down", title, technique=technique
+                )
+                yield Binding((up,), f"{control.name} +{step}", f"{control.title} up", title, technique=technique)
+            case Choice() if control.keys:
+                yield Binding(control.keys, control.name, control.title, title, technique=technique)
+            case _:
+                pass
+
+
+def spoken(key: str) -> str:
+    """Return a key's name as help pages print it: ``ctrl+shift+z`` becomes ``Ctrl-Shift-Z``."""
+    if key in _NAMES:
+        return _NAMES[key]
+    *modifiers, base = key.split("+") if not key.endswith("+") else [*key[:-1].rstrip("+").split("+"), "+"]
+    shown = _NAMES.get(base, base.upper() if len(base) == 1 or base.startswith("f") else base.capitalize())
+    return "-".join([*(modifier.capitalize() for modifier in modifiers if modifier), shown])
+
+
+def spoken_keys(keys: tuple[str, ...]) -> str:
+    """Return keys as help pages print them; a run of digits as ``1 … 9``."""
+    if len(keys) > 3 and all(len(key) == 1 and key.isdigit() for key in keys):
+        return f"{keys[0]} … {keys[-1]}"
+    return "  ".join(spoken(key) for key in keys)
+
+
+_NAMES = {
+    "left": "←",
+    "right": "→",
+    "up": "↑",
+    "down": "↓",
+    "pageup": "PgUp",
+    "pagedown": "PgDn",
+    "escape": "Esc",
+    "enter": "Enter",
+    "backspace": "Backspace",
+    "+": "+",
+}

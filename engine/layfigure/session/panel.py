@@ -1,0 +1,91 @@
+"""The panel: what the technique in use declares, as widgets, and the buttons that are always there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from layfigure.session.frame import Button, ChoiceBar, Label, SliderBar, Widget
+from layfigure.session.layout import Column
+from layfigure.techniques.contract import Action, Choice, Controls, Offer, Slider
+
+
+@dataclass(frozen=True)
+class PanelText:
+    """What the panel says: the selected limb in words, the techniques as (id, title), the one in use, its controls."""
+
+    limb: tuple[str, ...]
+    techniques: tuple[tuple[str, str], ...]
+    technique: str
+    controls: tuple[Controls, ...]
+    offer: Offer
+
+
+T = TypeVar("T")
+
+ALWAYS = (
+    ("Initialise", "initialise"),
+    ("Mirror", "flip"),
+    ("Undo", "undo"),
+    ("Redo", "redo"),
+    ("Save", "save"),
+    ("Help", "help"),
+)
+
+
+def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
+    """Yield the panel's widgets from top to bottom; ``key`` names the key of a command line."""
+    for line in text.limb:
+        yield Label(column.row(18, 2), line, "text" if line == text.limb[0] else "small")
+    column.row(4, 0)
+    if len(text.techniques) > 1:
+        yield ChoiceBar(column.row(48), "Technique", "use", text.techniques, text.technique, key("use"))
+    if text.offer.title:
+        yield Label(column.row(22), text.offer.title, "title")
+    yield from _values(column, text, key)
+    yield from _buttons(column, [c for c in text.controls if isinstance(c, Action) and not c.argument], key)
+    column.row(4, 0)
+    yield from _always(column, key)
+
+
+def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
+    for control in text.controls:
+        value = text.offer.values.get(control.name)
+        if isinstance(control, Slider):
+            keys = "  ".join(key(f"{control.name} {sign}{control.step:g}") for sign in "-+")
+            shown = float(value) if isinstance(value, int | float) else control.low
+            yield SliderBar(
+                column.row(44),
+                control.title,
+                control.name,
+                shown,
+                control.low,
+                control.high,
+                control.step,
+                keys.strip(),
+                control.unit,
+            )
+        elif isinstance(control, Choice):
+            yield ChoiceBar(
+                column.row(48), control.title, control.name, control.options, str(value), key(control.name)
+            )
+
+
+def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:
+    for pair in _pairs(actions):
+        for rectangle, action in zip(column.split(2, 32), pair, strict=False):
+            yield Button(rectangle, action.title, action.name, key(action.name))
+
+
+def _always(column: Column, key: Callable[[str], str]) -> Iterator[Widget]:
+    for pair in _pairs(ALWAYS):
+        if not column.fits(32):
+            return
+        for rectangle, (title, command) in zip(column.split(2, 32), pair, strict=False):
+            yield Button(rectangle, title, command, key(command))
+
+
+def _pairs(items: Iterable[T]) -> Iterator[tuple[T, ...]]:
+    listed = list(items)
+    yield from (tuple(listed[i : i + 2]) for i in range(0, len(listed), 2))

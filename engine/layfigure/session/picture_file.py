@@ -1,0 +1,66 @@
+"""Pictures of a pose, drawn without a window and written by whichever plug-in knows the format."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from layfigure.drawing.camera import Camera, fixed_view
+from layfigure.drawing.palette import load_palette
+from layfigure.drawing.render_list import Rectangle, Target, new_target
+from layfigure.drawing.shots import Shot, build_render_list, plain_colouring
+from layfigure.errors import FileError
+from layfigure.plugins.records import Exchange
+from layfigure.poses.pose import Pose
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+SHEET_SIDE = 800
+
+
+@dataclass(frozen=True)
+class PictureOptions:
+    """What a picture shows: the height in pixels, one view or a sheet of front, right and top, and the camera."""
+
+    side: int = SHEET_SIDE
+    sheet: bool = True
+    camera: Camera = Camera()
+
+
+def draw_pose(session: Session, pose: Pose, options: PictureOptions) -> Target:
+    """Return a picture of a pose: a square view, and for a sheet the right and top views at half its size."""
+    side = options.side
+    half = side // 2
+    views = [(Rectangle(0, 0, side, side), options.camera)]
+    if options.sheet:
+        views.append((Rectangle(side, 0, half, half), fixed_view("right")))
+        views.append((Rectangle(side, half, half, side - half), fixed_view("top")))
+    figure = session.document.figure
+    shots = [Shot(0, rectangle, camera, session.theme.pane) for rectangle, camera in views]
+    colouring = plain_colouring(load_palette("default").rgb(figure.colours), 1, len(figure.limbs))
+    target = new_target(side + half if options.sheet else side, side)
+    session.renderer_call(build_render_list(figure, (pose,), shots, colouring), target)
+    return target
+
+
+def save_picture(session: Session, pose: Pose, path: Path, options: PictureOptions) -> None:
+    """Draw a pose and write it to ``path``.
+
+    Raises:
+        FileError: no plug-in writes that format, or the file cannot be written.
+    """
+    target = draw_pose(session, pose, options)
+    exchange = Exchange(session.document.figure, (pose,), target.pixels)
+    if session.host.first("layfigure_write", document=exchange, path=path) is None:
+        raise FileError(f'{path}: no plug-in writes "{path.suffix}" files; use .png')
+
+
+def save_sheet(session: Session, pose: Pose, path: Path) -> None:
+    """Draw the usual sheet of three views and write it to ``path``.
+
+    Raises:
+        FileError: as for :func:`save_picture`.
+    """
+    save_picture(session, pose, path, PictureOptions())

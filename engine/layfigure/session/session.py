@@ -1,0 +1,321 @@
+"""The session: one door for events and command lines, one document, one history, one log.
+
+A front end calls :meth:`Session.handle`, :meth:`Session.frame` and :meth:`Session.draw`; a script or a replay calls
+:meth:`Session.execute`. Both end in the same commands, so every session is a text that replays to the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from layfigure.drawing.render_list import Target
+from layfigure.errors import ImpossibleError, LayfigureError, PluginError
+from layfigure.plugins.host import Host
+from layfigure.plugins.records import Command, RendererObject
+from layfigure.poses.pose import Pose
+from layfigure.session.commands import BUILT_IN
+from layfigure.session.controls import control_command
+from layfigure.session.describing import describe_limbs
+from layfigure.session.document import Document
+from layfigure.session.events import Event
+from layfigure.session.frame import Frame, Size
+from layfigure.session.history import Change, History
+from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken
+from layfigure.session.log import header
+from layfigure.session.modes import Mode, Plain
+from layfigure.session.routing import route
+from layfigure.session.stage import Stage
+from layfigure.session.techniques import Option, Workshop
+from layfigure.session.theme import ViewTheme, view_theme
+from layfigure.session.view import ViewState
+from layfigure.session.words import WordError, join_line, split_line
+from layfigure.suggestions import did_you_mean
+from layfigure.techniques.contract import Controls, Offer
+from layfigure.techniques.contract import Event as TechniqueEvent
+
+
+@dataclass(frozen=True)
+class SessionOptions:
+    """What a session is opened with; see :mod:`layfigure.configuration` for where it comes from."""
+
+    technique: str = "generator"
+    renderer: str = "raster"
+    theme: str = "dark"
+    frontend: str = "headless"
+    bindings: tuple[Binding, ...] = ()
+    technique_options: dict[str, dict[str, Option]] = field(default_factory=dict)
+    folder: Path = Path()
+    compiled: bool = True  # whether machine code is ready, so that compiled renderers may draw
+
+
+class Session:
+    """One person's work on one document."""
+
+    def __init__(self, host: Host, document: Document, options: SessionOptions | None = None) -> None:
+        self.host = host
+        self.options = options or SessionOptions()
+        self.workshop = Workshop(host, self.options.technique_options)
+        self.history = History()
+        self.view = ViewState(theme=self.options.theme, renderer=self.options.renderer)
+        self.modes: list[Mode] = [Plain()]
+        self.status = ""
+        self.running = True
+        self.revision = 0
+        self.clipboard_out: str | None = None
+        self.screenshot_request: Path | None = None
+        self.saved_as: Path | None = None
+        self.on_logged: Callable[[str], None] = lambda line: None
+        self._compiled = self.options.compiled
+        self._renderers: dict[str, RendererObject] = {}
+        self._stage = Stage(self)
+        self._before_preview: Document | None = None
+        self._faults_seen = 0
+        self.document = self._opened(document)
+        self.log = header(document.figure.name, self.document.technique or "none")
+        host.notify("layfigure_session_started", session=self)
+
+    # --- for front ends -----------------------------------------------------------------------------------------
+
+    def handle(self, event: Event) -> None:
+        """Take one event from a front end. Mistakes and impossibilities end in the status line, never in an error."""
+        try:
+            route(self, event)
+        except LayfigureError as error:
+            self.say(str(error))
+        self.revision += 1
+
+    def frame(self, size: Size) -> Frame:
+        """Return what to show on a surface of that size."""
+        return self._stage.compose(size).frame
+
+    def draw(self, frame: Frame, target: Target) -> None:
+        """Draw the views of the frame composed last into a target; falls back where a renderer fails."""
+        picture = self._stage.picture
+        assert picture.frame is frame
+        self.renderer_call(picture.render_list, target)
+
+    def kernels_ready(self) -> None:
+        """Say that compiled renderers may be used from now on."""
+        self._compiled = True
+        self.revision += 1
+
+    def close(self) -> None:
+        """End the session: plug-ins are told."""
+        self.running = False
+        self.host.notify("layfigure_session_ending", session=self)
+
+    # --- for commands and scripts ---------------------------------------------------------------------------------
+
+    def run(self, text: str) -> None:
+        """Run a command line as a person typed or clicked it: a mistake goes to the status line."""
+        try:
+            self.execute(text)
+        except LayfigureError as error:
+            self.say(str(error))
+        self.revision += 1
+
+    def execute(self, text: str) -> None:
+        """Run a command line.
+
+        Raises:
+            WordError: a word is wrong; ``index`` says which.
+            LayfigureError: it cannot be done; the document is as it was.
+        """
+        line = split_line(text)
+        if line is None:
+            return
+        command = self.commands().get(line.name)
+        if command is None:
+            hint = did_you_mean(line.name, self.commands())
+            raise WordError(0, f'there is no command "{line.name[:40]}"{hint}')
+        self.give_up_preview()
+        self.status = ""
+        if self.host.commands.get(command.id) is command:
+            self.host.call(command, "running", command.run, self, line.words)
+        else:
+            command.run(self, line.words)
+        if command.logged:
+            self._log(join_line(line.name, line.words))
+        self._report_faults()
+
+    def commands(self) -> dict[str, Command]:
+        """Return every command by name: the house's, the plug-ins', and the controls of the technique in use."""
+        mine = {control.name: control_command(control) for control in self.controls()}
+        return {**BUILT_IN, **self.host.commands, **mine}
+
+    def controls(self) -> tuple[Controls, ...]:
+        """Return the controls of the technique in use."""
+        record = self.host.techniques.get(self.document.technique)
+        return record.controls if record else ()
+
+    def offer(self) -> Offer:
+        """Return what the technique in use shows; a technique that fails is left for another one."""
+        try:
+            return self.workshop.offer(self.document)
+        except PluginError as error:
+            self._leave_technique(str(error))
+            return self.workshop.offer(self.document)
+
+    def tell(self, title: str, event: TechniqueEvent, *, entry: bool = True) -> None:
+        """Tell the technique in use something and record the change; without ``entry`` undo passes over it."""
+        try:
+            told = self.workshop.tell(self.document, event)
+        except PluginError as error:
+            self._leave_technique(str(error))
+            raise
+        self.commit(title, told, entry=entry)
+
+    def set_pose(self, title: str, pose: Pose, *, fresh: bool = False) -> None:
+        """Give the document a pose that did not come from the technique in use."""
+        self.commit(title, self.workshop.set_pose(self.document, pose, fresh=fresh))
+
+    def commit(self, title: str, document: Document, *, entry: bool = True) -> None:
+        """Make a document the present one; one call is one entry of history."""
+        before, self.document = self.document, document
+        if self._before_preview is not None:
+            return
+        if entry:
+            self.history.record(Change(title, before, document))
+        self._announce(before)
+
+    def restore(self, document: Document) -> None:
+        """Make an older document the present one, as undo and redo do."""
+        before, self.document = self.document, document
+        self.view = replace(self.view, hover=None, selected=self._still_there(self.view.selected))
+        self._announce(before)
+
+    def preview(self, text: str) -> None:
+        """Show what a command line would do, without history or log, until something is run or given up."""
+        self.give_up_preview()
+        before = self.document
+        log, self.log = self.log, list(self.log)
+        callback, self.on_logged = self.on_logged, lambda line: None
+        try:
+            self._before_preview = before
+            line = split_line(text)
+            if line is not None and line.name in self.commands():
+                self.commands()[line.name].run(self, line.words)
+        finally:
+            self.log, self.on_logged = log, callback
+
+    def give_up_preview(self) -> None:
+        """Go back to the document from before a preview."""
+        if self._before_preview is not None:
+            self.document, self._before_preview = self._before_preview, None
+
+    def use(self, technique: str) -> None:
+        """Switch to another technique; the pose stays exactly as it is."""
+        self.commit(f"use {technique}", self.workshop.use(self.document, technique), entry=False)
+
+    def say(self, sentence: str) -> None:
+        """Put a sentence into the status line."""
+        self.status = sentence
+
+    # --- what things are called -----------------------------------------------------------------------------------
+
+    @property
+    def mode(self) -> Mode:
+        """The interface state on top."""
+        return self.modes[-1]
+
+    @property
+    def stage(self) -> Stage:
+        """What is shown where."""
+        return self._stage
+
+    @property
+    def theme(self) -> ViewTheme:
+        """Colours behind the figures."""
+        return view_theme(self.view.theme)
+
+    @property
+    def situation(self) -> Situation:
+        """Where a key would be pressed now."""
+        return Situation(self.mode.state, self.document.technique, self.options.frontend)
+
+    def key_table(self) -> KeyTable:
+        """Return all bindings, the technique's own first, then the keymaps."""
+        bindings: list[Binding] = []
+        for record in self.host.techniques.values():
+            bindings.extend(control_bindings(record.id, record.title, record.controls))
+        return KeyTable((*bindings, *self.options.bindings))
+
+    def key_for(self, command: str) -> str:
+        """Return the name of the first key for a command line, or an empty string."""
+        keys = self.key_table().keys_for(command, replace(self.situation, state="pose"))
+        return spoken(keys[0]) if keys else ""
+
+    def hints(self) -> tuple[tuple[str, str], ...]:
+        """Return the few keys worth showing in the status line now."""
+        titles = {name: command.title for name, command in self.commands().items()}
+        shown = [binding for binding in self.key_table().valid(self.situation) if binding.hint]
+        return tuple(
+            (
+                f"{spoken(binding.keys[0])}–{spoken(binding.keys[-1])}"
+                if "{key}" in binding.command
+                else spoken(binding.keys[0]),
+                binding.title or titles.get(binding.command.split()[0], binding.command),
+            )
+            for binding in shown
+        )
+
+    def describe_selection(self) -> tuple[str, ...]:
+        """Return lines that say what is selected and how it stands."""
+        return describe_limbs(self.document, self.view.selected)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _opened(self, document: Document) -> Document:
+        if document.technique:
+            return document
+        for technique in dict.fromkeys([self.options.technique, *self.host.techniques]):
+            if technique in self.host.techniques:
+                try:
+                    return self.workshop.use(document, technique)
+                except PluginError as error:
+                    self.say(str(error))
+        return document
+
+    def _leave_technique(self, reason: str) -> None:
+        """Go on without a technique that failed: the pose stays, another technique takes over."""
+        states = {k: v for k, v in self.document.states.items() if k in self.host.techniques}
+        self.document = self._opened(replace(self.document, technique="", states=states))
+        self.say(reason)
+
+    def renderer_call(self, render_list: object, target: Target) -> None:
+        """Draw with the chosen renderer, or the next that works."""
+        for identifier in self._renderer_order():
+            record = self.host.renderers[identifier]
+            try:
+                if identifier not in self._renderers:
+                    self._renderers[identifier] = self.host.call(record, "making", record.make)
+                self.host.call(
+                    record, "drawing", self._renderers[identifier].draw, render_list, target, self.view.look
+                )
+            except PluginError as error:
+                self.say(str(error))
+            else:
+                return
+        raise ImpossibleError("no renderer is in service; start without --no-plugin, or with --safe")
+
+    def _renderer_order(self) -> list[str]:
+        usable = [key for key, record in self.host.renderers.items() if self._compiled or not record.compiled]
+        return sorted(usable, key=lambda key: key != self.view.renderer)
+
+    def _announce(self, before: Document) -> None:
+        if self.document.pose is not before.pose and self.document.pose != before.pose:
+            self.host.notify("layfigure_pose_changed", session=self, pose=self.document.pose)
+
+    def _still_there(self, selected: tuple[int, ...]) -> tuple[int, ...]:
+        return tuple(limb for limb in selected if limb < len(self.document.figure.limbs))
+
+    def _log(self, line: str) -> None:
+        self.log.append(line)
+        self.on_logged(line)
+
+    def _report_faults(self) -> None:
+        if len(self.host.faults) > self._faults_seen:
+            self._faults_seen = len(self.host.faults)
+            self.say(str(self.host.faults[-1]))

@@ -1,0 +1,126 @@
+"""Keeps technique objects for the figure in work and passes events to them under the host's guard."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from layfigure.errors import ImpossibleError
+from layfigure.figures.figure import Figure
+from layfigure.plugins.host import Host
+from layfigure.plugins.records import Technique
+from layfigure.poses.pose import Pose
+from layfigure.session.document import Document
+from layfigure.suggestions import did_you_mean
+from layfigure.techniques.contract import EnabledSet, Event, Offer, PoseSet, Setting, TechniqueObject
+
+Option = float | str | bool
+
+
+@dataclass(frozen=True)
+class FigureBench:
+    """The bench a technique is made with."""
+
+    figure: Figure
+    options: Mapping[str, Option]
+
+    def option(self, name: str, default: Option) -> Option:
+        """Return a user's setting for this technique, or the default."""
+        return self.options.get(name, default)
+
+
+@dataclass
+class Workshop:
+    """The techniques of one session. Documents go in and come out; nothing about the pose is kept here.
+
+    ``options`` holds the user's settings by technique id.
+    """
+
+    host: Host
+    options: Mapping[str, Mapping[str, Option]] = field(default_factory=dict)
+    _objects: dict[tuple[str, int], tuple[Figure, TechniqueObject[Any]]] = field(default_factory=dict)
+    _offer: tuple[str, Any, Offer] | None = None
+
+    def record(self, technique: str) -> Technique:
+        """Return the record of a technique by id.
+
+        Raises:
+            ImpossibleError: no such technique is in service.
+        """
+        try:
+            return self.host.techniques[technique]
+        except KeyError:
+            known = ", ".join(self.host.techniques) or "none"
+            hint = did_you_mean(technique, self.host.techniques)
+            raise ImpossibleError(f'there is no technique "{technique}"; in service: {known}{hint}') from None
+
+    def use(self, document: Document, technique: str) -> Document:
+        """Return the document with a technique in use; its earlier state is resumed, the pose stays as it is."""
+        worker, record = self._object(document.figure, technique), self.record(technique)
+        if technique not in document.states:
+            setting = Setting(document.pose, document.enabled, document.fresh)
+            state = self.host.call(record, "starting", worker.start, setting)
+        else:
+            state = document.states[technique]
+            state = self.host.call(record, "telling", worker.tell, state, EnabledSet(document.enabled))
+            if self._recommended(document, technique, state) != document.pose:
+                state = self.host.call(record, "telling", worker.tell, state, PoseSet(document.pose, document.fresh))
+        moved = document.with_state(technique, state, document.pose)
+        return replace(moved, technique=technique)
+
+    def tell(self, document: Document, event: Event) -> Document:
+        """Return the document after the technique in use heard an event; its recommendation is the new pose."""
+        technique = document.technique
+        worker, record = self._object(document.figure, technique), self.record(technique)
+        state = self.host.call(record, "telling", worker.tell, document.states[technique], event)
+        return document.with_state(technique, state, self._recommended(document, technique, state))
+
+    def set_pose(self, document: Document, pose: Pose, *, fresh: bool = False) -> Document:
+        """Return the document with a pose that did not come from the technique in use."""
+        moved = replace(document, pose=pose, fresh=fresh)
+        told = self.tell(moved, PoseSet(pose, fresh)) if moved.technique else moved
+        return replace(told, pose=pose, fresh=fresh)
+
+    def set_enabled(self, document: Document, enabled: frozenset[int]) -> Document:
+        """Return the document with another set of limbs that may change."""
+        moved = replace(document, enabled=enabled)
+        return self.tell(moved, EnabledSet(enabled)) if moved.technique else moved
+
+    def offer(self, document: Document) -> Offer:
+        """Return what the technique in use shows; the last offer is kept until the state is another."""
+        technique = document.technique
+        if not technique:
+            return Offer(note="no technique is in service")
+        state = document.states[technique]
+        if self._offer is not None and self._offer[0] == technique and self._offer[1] is state:
+            return self._offer[2]
+        worker, record = self._object(document.figure, technique), self.record(technique)
+        offer = self.host.call(record, "asking", worker.ask, state)
+        for pose in offer.candidates:
+            self._check(document.figure, record, pose)
+        self._offer = (technique, state, offer)
+        return offer
+
+    def _recommended(self, document: Document, technique: str, state: Any) -> Pose:
+        worker, record = self._object(document.figure, technique), self.record(technique)
+        pose = self.host.call(record, "recommending", worker.recommend, state)
+        self._check(document.figure, record, pose)
+        return pose
+
+    def _check(self, figure: Figure, record: Technique, pose: object) -> None:
+        shape = (len(figure.limbs), 3)
+        if not isinstance(pose, Pose) or pose.angles.shape != shape or not np.isfinite(pose.angles).all():
+            sentence = f"it gave something else than a finite pose of {shape[0]} limbs"
+            raise self.host.refuse(record, "checking a pose", sentence)
+
+    def _object(self, figure: Figure, technique: str) -> TechniqueObject[Any]:
+        key = (technique, id(figure))
+        if key not in self._objects:
+            record = self.record(technique)
+            bench = FigureBench(figure, self.options.get(technique, {}))
+            self._objects[key] = (figure, self.host.call(record, "making", record.make, bench))
+        return self._objects[key][1]
+

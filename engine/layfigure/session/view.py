@@ -1,0 +1,25 @@
+"""What is looked at and pointed at: it steers the picture, never the document, and undo leaves it alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from layfigure.drawing.camera import Camera
+from layfigure.drawing.render_list import RECOMMENDED, Look
+
+
+@dataclass(frozen=True)
+class ViewState:
+    """The camera of the main views, the selection, and what the pointer is over.
+
+    ``candidate`` is the 0-based candidate keys act on; ``selected`` the selected limbs, the last being the one that
+    keys walk from; ``hover`` is (candidate, limb) under the pointer, candidate -1 being the working pose.
+    """
+
+    camera: Camera = Camera()
+    candidate: int = 0
+    selected: tuple[int, ...] = ()
+    hover: tuple[int, int] | None = None
+    renderer: str = ""
+    look: Look = RECOMMENDED
+    theme: str = "dark"
