@@ -71,7 +71,7 @@ def read_palette(path: Path) -> Palette:
     """
     try:
         document = tomllib.loads(read_text(path))
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise LayfigureError(f"{path}: is not a palette, because it is not TOML ({error})") from None
     table = document.get("colours")
     if not isinstance(table, dict) or not table:

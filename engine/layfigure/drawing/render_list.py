@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -48,9 +48,13 @@ SMOOTH = Look(antialias=True, hemisphere=False, shadow=False, grid=False)
 RECOMMENDED = Look()
 
 
+def _no_bytes() -> NDArray[np.uint8]:
+    return np.zeros(0, dtype=np.uint8)
+
+
 @dataclass(frozen=True)
 class RenderList:
-    """Primitives of m views in pixel space. k primitives in all, sorted by view.
+    """Primitives of m views in pixel space. k primitives and s limb segments in all, sorted by view.
 
     Pixel space of a view: origin at the target's top left, x right, y **down**, z away from the viewer, all in pixels
     (a pixel's centre is at .5). ``points`` repeats the last point of kinds that have fewer than four.
@@ -71,6 +75,11 @@ class RenderList:
         colours: (k,) uint8 index into ``palette``.
         styles: (k,) uint8 :class:`Style`.
         palette: (c, 3) uint8 base colours.
+        segments: (s, 2, 3) float32 begin and end of each limb, for sticks and for limbs without volumes.
+        segment_slices: (m, 2) int32 first and last+1 segment of each view.
+        segment_parts: (s,) uint8 limb index.
+        segment_colours: (s,) uint8 index into ``palette``: the limb's first colour, or an ancestor's.
+        segment_styles: (s,) uint8 :class:`Style`.
     """
 
     rectangles: NDArray[np.int32]
@@ -86,6 +95,11 @@ class RenderList:
     colours: NDArray[np.uint8]
     styles: NDArray[np.uint8]
     palette: NDArray[np.uint8]
+    segments: NDArray[np.float32] = field(default_factory=lambda: np.zeros((0, 2, 3), dtype=np.float32))
+    segment_slices: NDArray[np.int32] = field(default_factory=lambda: np.zeros((0, 2), dtype=np.int32))
+    segment_parts: NDArray[np.uint8] = field(default_factory=_no_bytes)
+    segment_colours: NDArray[np.uint8] = field(default_factory=_no_bytes)
+    segment_styles: NDArray[np.uint8] = field(default_factory=_no_bytes)
 
 
 @dataclass(frozen=True)
