@@ -1,0 +1,1 @@
+"""Front ends: the SDL window, the headless player, and the command line."""

@@ -123,7 +123,8 @@ def _on_ball(point: tuple[float, float]) -> NDArray[np.float64]:
     x, y = point
     squared = x * x + y * y
     if squared >= 1.0:
-        return np.array([x, y, 0.0]) / np.sqrt(squared)
+        rim: NDArray[np.float64] = np.array([x, y, 0.0]) / np.sqrt(squared)
+        return rim
     return np.array([x, y, -np.sqrt(1.0 - squared)])
 
 
@@ -132,4 +133,5 @@ def _ball_rotation(start: NDArray[np.float64], end: NDArray[np.float64]) -> NDAr
     w = float(start @ end)
     x, y, z = np.cross(start, end)
     norm = np.sqrt(w * w + x * x + y * y + z * z)
-    return quaternion_matrices(*(np.float64(value / norm) for value in (w, x, y, z)))
+    parts = np.array([w, x, y, z]) / norm
+    return quaternion_matrices(parts[0], parts[1], parts[2], parts[3])

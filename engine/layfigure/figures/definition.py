@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 Vector = tuple[float, float, float]
 DOF_KINDS = ("flexion", "pivot", "twist")
 VOLUME_KINDS = ("sphere", "cylinder", "cone", "cube")
 
 
-class Axis(NamedTuple):
+@dataclass(frozen=True)
+class Axis:
     """A signed coordinate axis: ``index`` 0, 1, 2 for x, y, z and ``sign`` +1 or -1."""
 
     index: int

@@ -36,7 +36,8 @@ def swing_angles(half: ArrayLike) -> tuple[Floats, Floats]:
 def half_distance(a: ArrayLike, b: ArrayLike) -> Floats:
     """Return min(|a - b|, |a + b|) of half vectors (..., 3): on the equator h and -h are one rotation."""
     u, v = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
-    return np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
+    nearer: Floats = np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
+    return nearer
 
 
 def rotations(angles: ArrayLike) -> Floats:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import traceback
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -141,21 +141,20 @@ class Host:
         return None
 
     def _collect(self, plugin: object, name: str) -> None:
-        for hook, kind, records in (
-            ("layfigure_techniques", Technique, self.techniques),
-            ("layfigure_renderers", Renderer, self.renderers),
-            ("layfigure_commands", Command, self.commands),
-            ("layfigure_keys", Keymap, self.keymaps),
-            ("layfigure_overlays", Overlay, self.overlays),
-            ("layfigure_figures", FigureSource, self.figures),
-            ("layfigure_interpolations", Interpolation, self.interpolations),
-        ):
-            answer = self._ask_one(plugin, name, hook, {})
-            self._take(name, kind, records, answer if answer is not None else ())
+        self._take(plugin, name, "layfigure_techniques", (Technique, self.techniques))
+        self._take(plugin, name, "layfigure_renderers", (Renderer, self.renderers))
+        self._take(plugin, name, "layfigure_commands", (Command, self.commands))
+        self._take(plugin, name, "layfigure_keys", (Keymap, self.keymaps))
+        self._take(plugin, name, "layfigure_overlays", (Overlay, self.overlays))
+        self._take(plugin, name, "layfigure_figures", (FigureSource, self.figures))
+        self._take(plugin, name, "layfigure_interpolations", (Interpolation, self.interpolations))
 
-    def _take(self, name: str, kind: type[R], records: dict[str, R], offered: Iterable[object]) -> None:
+    def _take(self, plugin: object, name: str, hook: str, place: tuple[type[R], dict[str, R]]) -> None:
+        """Put the records that one plug-in hands over for one hook into their mapping."""
+        kind, records = place
+        answer = self._ask_one(plugin, name, hook, {})
         try:
-            offered = list(offered)
+            offered = list(answer if answer is not None else ())
         except TypeError as error:
             self._fault(name, f"collecting {kind.__name__.lower()} records", error)
             return
@@ -200,9 +199,17 @@ class Host:
         plugin = self._relay.get_plugin(name)
         if plugin is not None:
             self._relay.unregister(plugin)
-        for records in (self.techniques, self.renderers, self.commands, self.keymaps, self.overlays, self.figures):
-            for identifier in [i for i, record in records.items() if self.owner(record) == name]:
-                del records[identifier]  # type: ignore[attr-defined]
+        self._drop(self.techniques, name)
+        self._drop(self.renderers, name)
+        self._drop(self.commands, name)
+        self._drop(self.keymaps, name)
+        self._drop(self.overlays, name)
+        self._drop(self.figures, name)
+        self._drop(self.interpolations, name)
+
+    def _drop(self, records: dict[str, R], owner: str) -> None:
+        for identifier in [i for i, record in records.items() if self.owner(record) == owner]:
+            del records[identifier]
 
 
 def _sort(records: dict[str, R]) -> None:

@@ -40,7 +40,9 @@ def _slider(control: Slider) -> Command:
             present = session.offer().values.get(control.name, control.low)
             value = min(max(float(present) + value, control.low), control.high)
         if not control.low <= value <= control.high:
-            raise WordError(1, f"{words[0]} is out of bounds: {control.title} goes from {control.low:g} to {control.high:g}")
+            raise WordError(
+                1, f"{words[0]} is out of bounds: {control.title} goes from {control.low:g} to {control.high:g}"
+            )
         session.tell(f"{control.title} {value:g}", Control(control.name, value))
 
     return Command(control.name, control.title, run, usage=f"{control.low:g}…{control.high:g}", logged=True)

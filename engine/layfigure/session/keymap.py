@@ -109,9 +109,7 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
                 yield Binding(control.keys, control.name, control.title, title, technique=technique, hint=True)
             case Slider(keys=(down, up)):
                 step = f"{control.step:g}"
-                yield Binding(
-                    (down,), f"{control.name} -{step}", f"{control.title} down", title, technique=technique
-                )
+                yield Binding((down,), f"{control.name} -{step}", f"{control.title} down", title, technique=technique)
                 yield Binding((up,), f"{control.name} +{step}", f"{control.title} up", title, technique=technique)
             case Choice() if control.keys:
                 yield Binding(control.keys, control.name, control.title, title, technique=technique)

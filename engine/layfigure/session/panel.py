@@ -67,9 +67,7 @@ def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Itera
                 control.unit,
             )
         elif isinstance(control, Choice):
-            yield ChoiceBar(
-                column.row(48), control.title, control.name, control.options, str(value), key(control.name)
-            )
+            yield ChoiceBar(column.row(48), control.title, control.name, control.options, str(value), key(control.name))
 
 
 def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:

@@ -41,7 +41,7 @@ def draw_pose(session: Session, pose: Pose, options: PictureOptions) -> Target:
     shots = [Shot(0, rectangle, camera, session.theme.pane) for rectangle, camera in views]
     colouring = plain_colouring(load_palette("default").rgb(figure.colours), 1, len(figure.limbs))
     target = new_target(side + half if options.sheet else side, side)
-    session.renderer_call(build_render_list(figure, (pose,), shots, colouring), target)
+    session.render(build_render_list(figure, (pose,), shots, colouring), target)
     return target
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from layfigure.drawing.render_list import Target
+from layfigure.drawing.render_list import RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, RendererObject
@@ -57,7 +57,6 @@ class Session:
         self.host = host
         self.options = options or SessionOptions()
         self.workshop = Workshop(host, self.options.technique_options)
-        self.history = History()
         self.view = ViewState(theme=self.options.theme, renderer=self.options.renderer)
         self.modes: list[Mode] = [Plain()]
         self.status = ""
@@ -67,13 +66,14 @@ class Session:
         self.screenshot_request: Path | None = None
         self.saved_as: Path | None = None
         self.on_logged: Callable[[str], None] = lambda line: None
+        self.on_closed: Callable[[], None] = lambda: None
         self._compiled = self.options.compiled
         self._renderers: dict[str, RendererObject] = {}
         self._stage = Stage(self)
         self._before_preview: Document | None = None
         self._faults_seen = 0
-        self.document = self._opened(document)
-        self.log = header(document.figure.name, self.document.technique or "none")
+        self.log: list[str] = []
+        self.begin(document)
         host.notify("layfigure_session_started", session=self)
 
     # --- for front ends -----------------------------------------------------------------------------------------
@@ -94,7 +94,14 @@ class Session:
         """Draw the views of the frame composed last into a target; falls back where a renderer fails."""
         picture = self._stage.picture
         assert picture.frame is frame
-        self.renderer_call(picture.render_list, target)
+        self.render(picture.render_list, target)
+
+    def begin(self, document: Document) -> None:
+        """Start over with a document: no history, a log that says where it begins."""
+        self.document = self._opened(document)
+        self.history = History()
+        self.view = replace(self.view, selected=(), hover=None, candidate=0)
+        self.log = header(document.figure.name, self.document.technique or "none")
 
     def kernels_ready(self) -> None:
         """Say that compiled renderers may be used from now on."""
@@ -102,9 +109,11 @@ class Session:
         self.revision += 1
 
     def close(self) -> None:
-        """End the session: plug-ins are told."""
-        self.running = False
-        self.host.notify("layfigure_session_ending", session=self)
+        """End the session: plug-ins are told, the journal is put away. Once is enough, twice does no harm."""
+        if self.running:
+            self.running = False
+            self.host.notify("layfigure_session_ending", session=self)
+            self.on_closed()
 
     # --- for commands and scripts ---------------------------------------------------------------------------------
 
@@ -284,16 +293,14 @@ class Session:
         self.document = self._opened(replace(self.document, technique="", states=states))
         self.say(reason)
 
-    def renderer_call(self, render_list: object, target: Target) -> None:
+    def render(self, render_list: RenderList, target: Target) -> None:
         """Draw with the chosen renderer, or the next that works."""
         for identifier in self._renderer_order():
             record = self.host.renderers[identifier]
             try:
                 if identifier not in self._renderers:
                     self._renderers[identifier] = self.host.call(record, "making", record.make)
-                self.host.call(
-                    record, "drawing", self._renderers[identifier].draw, render_list, target, self.view.look
-                )
+                self.host.call(record, "drawing", self._renderers[identifier].draw, render_list, target, self.view.look)
             except PluginError as error:
                 self.say(str(error))
             else:

@@ -49,7 +49,8 @@ class Stage:
         session = self._session
         offer = session.offer()
         place = areas(size, with_page=bool(offer.candidates))
-        panes, shots = [], []
+        panes: list[Pane] = []
+        shots: list[Shot] = []
         for candidate, view, rectangle in _views(place, offer, size.scale):
             camera = session.view.camera if view == "main" else Camera(FIXED_VIEWS[view], session.view.camera.zoom)
             background = session.theme.pane_chosen if candidate == session.view.candidate else session.theme.pane
@@ -181,4 +182,3 @@ def _around(rectangles: list[Rectangle]) -> Rectangle:
     left, top = min(r.x for r in rectangles), min(r.y for r in rectangles)
     right, bottom = max(r.x + r.width for r in rectangles), max(r.y + r.height for r in rectangles)
     return Rectangle(left, top, right - left, bottom - top)
-

@@ -123,4 +123,3 @@ class Workshop:
             bench = FigureBench(figure, self.options.get(technique, {}))
             self._objects[key] = (figure, self.host.call(record, "making", record.make, bench))
         return self._objects[key][1]
-

@@ -6,7 +6,5 @@ from layfigure.plugins.records import Command
 from layfigure.session.commands import candidates, files, interface, limbs, pose, view
 
 BUILT_IN: dict[str, Command] = {
-    command.id: command
-    for module in (candidates, pose, limbs, view, files, interface)
-    for command in module.COMMANDS
+    command.id: command for module in (candidates, pose, limbs, view, files, interface) for command in module.COMMANDS
 }

@@ -40,9 +40,7 @@ def _orbit(session: Session, words: tuple[str, ...]) -> None:
     upward = np.radians(number(words, 1, "degrees upward"))
     no_more(words, 2)
     rotation = np.array(session.view.camera.rotation)
-    about_world_up = np.array(
-        [[np.cos(across), 0, -np.sin(across)], [0, 1, 0], [np.sin(across), 0, np.cos(across)]]
-    )
+    about_world_up = np.array([[np.cos(across), 0, -np.sin(across)], [0, 1, 0], [np.sin(across), 0, np.cos(across)]])
     about_screen = np.array([[1, 0, 0], [0, np.cos(upward), np.sin(upward)], [0, -np.sin(upward), np.cos(upward)]])
     turned = as_matrix(about_screen @ rotation @ about_world_up)
     session.view = replace(session.view, camera=Camera(turned, session.view.camera.zoom))

@@ -1,0 +1,30 @@
+"""Which front end to use here: a window where there is a display, else a script that writes a picture."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from layfigure.errors import LayfigureError
+
+FRONTENDS = ("auto", "sdl", "terminal", "headless")
+
+
+def choose_frontend(asked: str) -> str:
+    """Return "sdl" or "headless" for what was asked.
+
+    Raises:
+        LayfigureError: the terminal front end is asked for by name; it is not part of this version.
+    """
+    if asked == "terminal":
+        raise LayfigureError("this version has no terminal front end yet; use --frontend sdl or --frontend headless")
+    if asked == "auto":
+        return "sdl" if has_display() else "headless"
+    return asked
+
+
+def has_display() -> bool:
+    """Whether a window can be expected to open here."""
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

@@ -1,0 +1,97 @@
+"""The ``layfigure`` command. Light: what a subcommand needs is imported when it runs."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+
+import click
+
+from layfigure import __version__
+from layfigure.errors import LayfigureError
+from layfigure.suggestions import did_you_mean
+
+_COMMANDS = {
+    "pose": "Pose a figure: the main job (the default).",
+    "replay": "Play a session log without a window.",
+    "render": "Draw a pose or a session's result to a picture.",
+    "figure": "Tell about figures.",
+    "check": "Say whether a .fig, .pose or log file is right.",
+    "plugins": "List plug-ins and what is wrong with them.",
+    "bench": "Measure speed and memory.",
+    "warm": "Compile the drawing code now rather than at the first start.",
+}
+
+EPILOG = """\b
+Examples:
+  layfigure                        pose the humanoid
+  layfigure horse                  pose another figure
+  layfigure my.pose                go on with a pose
+  layfigure render my.pose -o my.png
+  layfigure figure info humanoid --json
+"""
+
+
+class LazyGroup(click.Group):
+    """A group that imports a subcommand when it is asked for, and takes anything unknown as ``pose``'s words."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of the subcommands."""
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Return a subcommand, imported now."""
+        if cmd_name not in _COMMANDS:
+            return None
+        command = importlib.import_module(f"layfigure_frontends.commands.{cmd_name}").command
+        assert isinstance(command, click.Command)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the list of subcommands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put ``pose`` before words that do not begin with a subcommand."""
+        own = {"-h", "--help", "-V", "--version"}
+        if not args or (args[0] not in _COMMANDS and args[0] not in own):
+            args = ["pose", *args]
+        return super().parse_args(ctx, args)
+
+
+@click.group(
+    cls=LazyGroup,
+    epilog=EPILOG,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, "-V", "--version", prog_name="layfigure")
+def layfigure() -> None:
+    """Pose articulated figures by choosing among candidates, by key or click."""
+
+
+def unknown_word(word: str, names: list[str]) -> str:
+    """Return the clause that helps with a word that is neither a figure, a file nor a subcommand."""
+    return did_you_mean(word, [*names, *_COMMANDS])
+
+
+def main() -> None:
+    """Run the command line; a user's mistake is one sentence on standard error and exit status 2."""
+    try:
+        status = layfigure.main(standalone_mode=False)
+    except LayfigureError as error:
+        _fail(str(error))
+    except click.ClickException as error:
+        _fail(f"{error.format_message()} (layfigure --help shows what there is)")
+    except (click.Abort, KeyboardInterrupt):
+        sys.exit(130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    sys.exit(status if isinstance(status, int) else 0)
+
+
+def _fail(sentence: str) -> None:
+    click.echo(f"layfigure: {' '.join(sentence.split())}", err=True)
+    sys.exit(2)

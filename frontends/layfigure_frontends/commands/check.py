@@ -1,0 +1,55 @@
+"""``layfigure check``: is a file right?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from layfigure_frontends.opening import PluginChoice, plugin_options
+
+
+@click.command("check")
+@click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE…")
+@plugin_options
+def command(
+    paths: tuple[Path, ...], files: tuple[Path, ...], without: tuple[str, ...], safe: bool, config: Path | None
+) -> int:
+    """Say whether each FILE (.fig, .pose or .log) is right; a mistake is named with line and column."""
+    from layfigure.errors import LayfigureError
+
+    choice = PluginChoice(files, without, safe, config)
+    status = 0
+    for path in paths:
+        try:
+            click.echo(f"{path}: {_verdict(path, choice)}")
+        except LayfigureError as error:
+            click.echo(f"layfigure: {' '.join(str(error).split())}", err=True)
+            status = 2
+    return status
+
+
+def _verdict(path: Path, choice: PluginChoice) -> str:
+    from layfigure.errors import FileError
+    from layfigure.files.reading import read_text
+
+    match path.suffix.lower():
+        case ".fig":
+            from layfigure.figures.library import load_figure
+
+            figure = load_figure(str(path.parent / path.name) if path.parent != Path() else f"./{path.name}")
+            return f"right; {figure.limb_count} limbs, {figure.dof_count} degrees of freedom"
+        case ".pose":
+            from layfigure.poses.pose_file import read_pose
+
+            figure, _ = read_pose(read_text(path), path)
+            return f"right; a pose of {figure.name}"
+        case ".log":
+            from layfigure.session.log import parse_log
+            from layfigure_frontends.headless import play_log
+
+            log = parse_log(read_text(path), path)
+            play_log(choice, log)
+            return f"right; {len(log.commands)} commands play to the end"
+        case suffix:
+            raise FileError(f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in .fig, .pose or .log')

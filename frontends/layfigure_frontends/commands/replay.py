@@ -1,0 +1,44 @@
+"""``layfigure replay``: play a session log."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from layfigure_frontends.opening import PluginChoice, plugin_options
+
+
+@click.command("replay")
+@click.argument("log", type=click.Path(path_type=Path))
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write a picture of the result here.")
+@click.option("--pose", type=click.Path(path_type=Path), help="Write the resulting pose here.")
+@plugin_options
+def command(
+    log: Path,
+    output: Path | None,
+    pose: Path | None,
+    files: tuple[Path, ...],
+    without: tuple[str, ...],
+    safe: bool,
+    config: Path | None,
+) -> int:
+    """Play LOG, the text that every session writes, and say where it ends."""
+    from layfigure.files.reading import read_text
+    from layfigure.files.writing import write_text
+    from layfigure.poses.pose_file import write_pose
+    from layfigure.session.log import parse_log
+    from layfigure.session.picture_file import save_sheet
+    from layfigure_frontends.headless import play_log
+
+    session = play_log(PluginChoice(files, without, safe, config), parse_log(read_text(log), log))
+    text = write_pose(session.document.figure, session.document.pose)
+    if pose is not None:
+        write_text(pose, text)
+        click.echo(str(pose))
+    if output is not None:
+        save_sheet(session, session.document.pose, output)
+        click.echo(str(output))
+    if pose is None and output is None:
+        click.echo(text, nl=False)
+    return 0

@@ -1,0 +1,93 @@
+"""Opens what every subcommand needs: configuration, plug-ins, a figure or a pose, a session."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    from layfigure.configuration import Configuration
+    from layfigure.plugins.host import Host
+    from layfigure.session.session import Session, SessionOptions
+
+F = TypeVar("F", bound=Callable[..., object])
+
+
+@dataclass(frozen=True)
+class PluginChoice:
+    """Which plug-ins and which configuration the command line asks for."""
+
+    files: tuple[Path, ...] = ()
+    without: tuple[str, ...] = ()
+    safe: bool = False
+    config: Path | None = None
+
+
+def plugin_options(function: F) -> F:
+    """Add ``--plugin``, ``--no-plugin``, ``--safe`` and ``--config`` to a subcommand."""
+    path = click.Path(path_type=Path)
+    for option in (
+        click.option("--config", type=path, help="Read this configuration file instead of your own."),
+        click.option("--safe", is_flag=True, help="Only Layfigure's own plug-ins."),
+        click.option("--no-plugin", "without", multiple=True, metavar="NAME", help="Leave a plug-in out."),
+        click.option("--plugin", "files", multiple=True, type=path, metavar="FILE", help="Add a one-file plug-in."),
+    ):
+        function = option(function)
+    return function
+
+
+def open_host(choice: PluginChoice) -> Host:
+    """Return a host with the chosen plug-ins."""
+    from layfigure import places
+    from layfigure.plugins.discovery import Selection
+    from layfigure.plugins.host import Host
+
+    folder = places.config() / "plugins"
+    return Host.discover(Selection(choice.files, folder, frozenset(choice.without), choice.safe))
+
+
+def session_options(host: Host, configuration: Configuration, frontend: str) -> SessionOptions:
+    """Return what a session is opened with.
+
+    Raises:
+        LayfigureError: the keymap cannot be read.
+    """
+    from layfigure.configuration import load_bindings
+    from layfigure.session.session import SessionOptions
+
+    return SessionOptions(
+        technique=configuration.technique,
+        renderer=configuration.renderer,
+        theme=configuration.theme,
+        frontend=frontend,
+        bindings=load_bindings(host, configuration.keymap),
+        technique_options=configuration.options,
+        compiled=frontend == "headless",
+    )
+
+
+def open_session(choice: PluginChoice, what: str, frontend: str) -> Session:
+    """Return a session on a figure's name, a ``.fig`` file, or any file that opens as a pose.
+
+    Raises:
+        LayfigureError: it cannot be opened.
+    """
+    from layfigure.configuration import load_configuration
+    from layfigure.session.document import Document
+    from layfigure.session.figures import open_figure
+    from layfigure.session.session import Session
+    from layfigure.session.words import join_line
+
+    configuration = load_configuration(choice.config)
+    host = open_host(choice)
+    options = session_options(host, configuration, frontend)
+    suffix = Path(what).suffix.lower() if what else ""
+    if suffix in ("", ".fig"):
+        return Session(host, Document.new(open_figure(host, what or configuration.figure)), options)
+    session = Session(host, Document.new(open_figure(host, configuration.figure)), options)
+    session.execute(join_line("open", [what]))
+    return session
