@@ -81,10 +81,15 @@ class Control:
 
 @dataclass(frozen=True)
 class PoseSet:
-    """Something else changed the shared pose: a file, an undo, a flip, another technique."""
+    """Something else changed the shared pose: a file, a flip, another technique, an edit by hand.
+
+    ``limbs`` names the joints that an edit by hand set (typed, nudged, put back to rest, pasted), so that a technique
+    can go on with what it shows; None means that the whole pose is another one.
+    """
 
     pose: Pose
     fresh: bool = False
+    limbs: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True)
