@@ -14,7 +14,6 @@ from layfigure.drawing.render_list import RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, RendererObject
-from layfigure.poses.pose import Pose
 from layfigure.session.commands import BUILT_IN
 from layfigure.session.controls import control_command
 from layfigure.session.describing import describe_limbs
@@ -32,7 +31,7 @@ from layfigure.session.theme import ViewTheme, view_theme
 from layfigure.session.view import ViewState
 from layfigure.session.words import WordError, join_line, split_line
 from layfigure.suggestions import did_you_mean
-from layfigure.techniques.contract import Controls, Offer
+from layfigure.techniques.contract import Controls, Offer, PoseSet
 from layfigure.techniques.contract import Event as TechniqueEvent
 
 
@@ -176,9 +175,9 @@ class Session:
             raise
         self.commit(title, told, entry=entry)
 
-    def set_pose(self, title: str, pose: Pose, *, fresh: bool = False) -> None:
+    def set_pose(self, title: str, change: PoseSet) -> None:
         """Give the document a pose that did not come from the technique in use."""
-        self.commit(title, self.workshop.set_pose(self.document, pose, fresh=fresh))
+        self.commit(title, self.workshop.set_pose(self.document, change))
 
     def commit(self, title: str, document: Document, *, entry: bool = True) -> None:
         """Make a document the present one; one call is one entry of history."""

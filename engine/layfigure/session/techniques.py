@@ -78,11 +78,11 @@ class Workshop:
         state = self.host.call(record, "telling", worker.tell, document.states[technique], event)
         return document.with_state(technique, state, self._recommended(document, technique, state))
 
-    def set_pose(self, document: Document, pose: Pose, *, fresh: bool = False) -> Document:
+    def set_pose(self, document: Document, change: PoseSet) -> Document:
         """Return the document with a pose that did not come from the technique in use."""
-        moved = replace(document, pose=pose, fresh=fresh)
-        told = self.tell(moved, PoseSet(pose, fresh)) if moved.technique else moved
-        return replace(told, pose=pose, fresh=fresh)
+        moved = replace(document, pose=change.pose, fresh=change.fresh)
+        told = self.tell(moved, change) if moved.technique else moved
+        return replace(told, pose=change.pose, fresh=change.fresh)
 
     def set_enabled(self, document: Document, enabled: frozenset[int]) -> Document:
         """Return the document with another set of limbs that may change."""

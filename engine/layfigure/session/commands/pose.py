@@ -19,6 +19,7 @@ from layfigure.session.commands.candidates import limbs
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
+from layfigure.techniques.contract import PoseSet
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -36,11 +37,11 @@ def _rest(session: Session, words: tuple[str, ...]) -> None:
     figure, pose = session.document.figure, session.document.pose
     rest = Pose.rest(figure)
     if words == ("all",):
-        session.set_pose("initialise all", rest, fresh=True)
+        session.set_pose("initialise all", PoseSet(rest, fresh=True))
         session.say("Everything is back to rest; the first generation begins again.")
         return
     chosen = limbs(session, words, 0)
-    session.set_pose("initialise limbs", pose.with_joints_of(rest, chosen))
+    session.set_pose("initialise limbs", PoseSet(pose.with_joints_of(rest, chosen), limbs=chosen))
     session.say(f"Back to rest: {', '.join(spoken_limb(figure, limb) for limb in chosen)}.")
 
 
@@ -54,7 +55,8 @@ def _set(session: Session, words: tuple[str, ...]) -> None:
             raise WordError(index + 2, f"the {spoken_limb(figure, limb)} has no {kind}; 0 is wanted here")
         if abs(angle) > 180:
             raise WordError(index + 2, f"{words[index + 1]} is out of bounds: angles go from -180 to 180")
-    session.set_pose(f"set {figure.names[limb]}", session.document.pose.with_joint(limb, *angles))
+    moved = session.document.pose.with_joint(limb, *angles)
+    session.set_pose(f"set {figure.names[limb]}", PoseSet(moved, limbs=(limb,)))
 
 
 def _nudge(session: Session, words: tuple[str, ...]) -> None:
@@ -77,14 +79,14 @@ def _nudge(session: Session, words: tuple[str, ...]) -> None:
 
 def _flip(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    session.set_pose("mirror the pose", flipped(session.document.figure, session.document.pose))
+    session.set_pose("mirror the pose", PoseSet(flipped(session.document.figure, session.document.pose)))
     session.say("Mirrored the pose.")
 
 
 def _pose(session: Session, words: tuple[str, ...]) -> None:
     token = required(words, 0, "a packed pose")
     no_more(words, 1)
-    session.set_pose("open a pose", unpack_pose(session.document.figure, token))
+    session.set_pose("open a pose", PoseSet(unpack_pose(session.document.figure, token)))
 
 
 def _figure(session: Session, words: tuple[str, ...]) -> None:
