@@ -1,0 +1,30 @@
+"""The compiled half of the raster renderer, and the only place where it meets numba.
+
+Each module is one entry point with all it calls: numba notices a change in the file of the cached function only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from layfigure.compiled import prepare
+
+prepare()  # the cache folder must be chosen before numba is imported
+
+import numba  # noqa: E402
+
+# All of fastmath but "no NaNs, no infinities": the guards against bad input must stay.
+_RELAXED = {"nsz", "arcp", "contract", "afn", "reassoc"}
+
+
+def jit(signature: Any = None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Return the decorator of all kernels here; they draw and never feed a pose, so the maths may be relaxed."""
+    options: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": _RELAXED}
+    decorate = numba.njit(**options) if signature is None else numba.njit(signature, **options)
+    return decorate  # type: ignore[no-any-return]
+
+
+def read_only(scalar: Any, dimensions: int) -> Any:
+    """Return the numba type of a C-contiguous array that is not written; arrays that may be written fit it too."""
+    return numba.types.Array(scalar, dimensions, "C", readonly=True)
