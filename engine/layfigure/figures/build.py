@@ -13,25 +13,43 @@ from layfigure.figures.figure import Figure, FigureArrays, Limb, limb_limits
 
 MAXIMUM_LIMBS = 250
 MAXIMUM_VOLUMES = 250
+MAXIMUM_NAME = 80  # mirror prefixes included
+ROOT = "root"  # what pose files call limb 0, so no other limb may be called so
+
+
+class DefinitionError(LayfigureError):
+    """A mistake that shows only once mirrors are expanded; ``limb`` is the definition it comes from."""
+
+    def __init__(self, limb: LimbDefinition, message: str) -> None:
+        super().__init__(message)
+        self.limb = limb
 
 
 def build_figure(name: str, definition: LimbDefinition) -> Figure:
     """Return the figure that a root limb's definition describes.
 
     Raises:
-        LayfigureError: two limbs share a name, mirrors multiply past :data:`MAXIMUM_LIMBS`, or there are more than
+        DefinitionError: two limbs share a name, a limb has the name kept for the root or one too long, mirrors multiply past :data:`MAXIMUM_LIMBS`, or there are more than
             :data:`MAXIMUM_VOLUMES` volumes.
     """
-    expanded = list(_expand(definition))
-    names = [item.name for item in expanded]
+    expanded: list[_Expanded] = []
     indices: dict[str, int] = {}
-    for index, limb_name in enumerate(names):
-        if indices.setdefault(limb_name.casefold(), index) != index:
-            raise LayfigureError(f'two limbs are called "{limb_name}"; give each its own name')
+    volumes = 0
+    for item in _expand(definition):
+        if indices.setdefault(item.name.casefold(), len(expanded)) != len(expanded):
+            raise DefinitionError(item.source, f'two limbs are called "{item.name}"; give each its own name')
+        if expanded and item.name.casefold() == ROOT:
+            raise DefinitionError(item.source, f'"{item.name}" is kept for the first limb; choose another name')
+        if len(item.name) > MAXIMUM_NAME:
+            message = f"the mirrored name {item.name[:40]}... has more than {MAXIMUM_NAME} characters; shorten it"
+            raise DefinitionError(item.source, message)
+        volumes += len(item.source.volumes)
+        if volumes > MAXIMUM_VOLUMES:
+            message = f"the figure has more than {MAXIMUM_VOLUMES} volumes once mirrored; use fewer, larger ones"
+            raise DefinitionError(item.source, message)
+        expanded.append(item)
     limbs = tuple(item.limb(index, indices) for index, item in enumerate(expanded))
     colours = tuple(dict.fromkeys(volume.colour for limb in limbs for volume in limb.volumes))
-    if sum(len(limb.volumes) for limb in limbs) > MAXIMUM_VOLUMES:
-        raise LayfigureError(f"the figure has more than {MAXIMUM_VOLUMES} volumes; use fewer, larger ones")
     return Figure(name, limbs, colours, _arrays(limbs, colours), definition, indices)
 
 
@@ -99,7 +117,8 @@ def _expand(root: LimbDefinition) -> Iterator[_Expanded]:
         pending = stack.pop()
         limb = pending.joint.limb
         if count >= MAXIMUM_LIMBS:
-            raise LayfigureError(f"the figure has more than {MAXIMUM_LIMBS} limbs; mirror fewer times")
+            message = f"the figure has more than {MAXIMUM_LIMBS} limbs once mirrored; mirror fewer times"
+            raise DefinitionError(limb, message)
         yield _Expanded(
             pending.prefix + limb.name,
             pending.twin_prefix + limb.name,
