@@ -73,12 +73,13 @@ class Command:
     """A named thing to do: ``run(session, words)`` with the words typed after the name.
 
     ``logged`` commands change the document and are written to the session log; they must give the same result from
-    the same words on any machine. ``usage`` shows the words, such as ``"LIMB FLEXION PIVOT TWIST"``.
+    the same words on any machine. ``run`` may return other words to log, where those typed were relative. ``usage``
+    shows the words, such as ``"LIMB FLEXION PIVOT TWIST"``.
     """
 
     id: str
     title: str
-    run: Callable[[Any, tuple[str, ...]], None]
+    run: Callable[[Any, tuple[str, ...]], tuple[str, ...] | None]
     usage: str = ""
     logged: bool = False
 

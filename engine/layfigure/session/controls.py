@@ -33,7 +33,7 @@ def _action(control: Action) -> Command:
 
 
 def _slider(control: Slider) -> Command:
-    def run(session: Session, words: tuple[str, ...]) -> None:
+    def run(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
         no_more(words, 1)
         value = number(words, 0, f"a number from {control.low:g} to {control.high:g}")
         if words[0][0] in "+-":
@@ -44,6 +44,7 @@ def _slider(control: Slider) -> Command:
                 1, f"{words[0]} is out of bounds: {control.title} goes from {control.low:g} to {control.high:g}"
             )
         session.tell(f"{control.title} {value:g}", Control(control.name, value))
+        return (f"{value:g}",)
 
     return Command(control.name, control.title, run, usage=f"{control.low:g}…{control.high:g}", logged=True)
 
@@ -51,7 +52,7 @@ def _slider(control: Slider) -> Command:
 def _choice(control: Choice) -> Command:
     values = [value for value, _ in control.options]
 
-    def run(session: Session, words: tuple[str, ...]) -> None:
+    def run(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
         no_more(words, 1)
         if words:
             value = one_of(words, 0, control.title, values)
@@ -59,5 +60,6 @@ def _choice(control: Choice) -> Command:
             present = str(session.offer().values.get(control.name, values[-1]))
             value = values[(values.index(present) + 1) % len(values)] if present in values else values[0]
         session.tell(f"{control.title}: {value}", Control(control.name, value))
+        return (value,)
 
     return Command(control.name, control.title, run, usage="|".join(values), logged=True)

@@ -34,3 +34,15 @@ class Document:
         """Return the document after a technique moved to ``state`` and stands at ``pose``."""
         states = MappingProxyType({**self.states, technique: state})
         return replace(self, states=states, pose=pose, fresh=self.fresh and pose == self.pose)
+
+    def same_as(self, other: Document) -> bool:
+        """Whether nothing that undo could bring back differs."""
+        return (
+            self.figure is other.figure
+            and self.pose == other.pose
+            and (self.enabled, self.technique, self.fresh) == (other.enabled, other.technique, other.fresh)
+            and self.states.keys() == other.states.keys()
+            and all(
+                self.states[key] is other.states[key] or self.states[key] == other.states[key] for key in self.states
+            )
+        )

@@ -17,7 +17,8 @@ STATES = ("pose", "orbit", "help", "palette", "question")
 class Binding:
     """Keys that run a command line. ``{key}`` in the command stands for the key pressed.
 
-    ``technique`` and ``frontend`` narrow the binding down; empty means any. ``hint`` puts it into the status line.
+    ``technique`` and ``frontend`` narrow the binding down; empty means any. ``hint`` is
+    the word or two that the status line shows for it, if any.
     """
 
     keys: tuple[str, ...]
@@ -27,7 +28,7 @@ class Binding:
     when: str = "pose"
     technique: str = ""
     frontend: str = ""
-    hint: bool = False
+    hint: str = ""
 
 
 @dataclass(frozen=True)
@@ -93,9 +94,8 @@ def _binding(row: Any, where: str) -> Binding:
     if not isinstance(keys, list) or not all(isinstance(key, str) for key in keys):
         raise LayfigureError(f'{where}: "keys" must be a list of key names such as ["ctrl+z", "u"]')
     for name, value in row.items():
-        wanted = bool if name == "hint" else str
-        if name != "keys" and not isinstance(value, wanted):
-            raise LayfigureError(f'{where}: "{name}" must be a {"true or false" if wanted is bool else "text"}')
+        if name != "keys" and not isinstance(value, str):
+            raise LayfigureError(f'{where}: "{name}" must be a text in quotes')
     if row.get("when", "pose") not in STATES:
         raise LayfigureError(f'{where}: "when" must be one of {", ".join(STATES)}')
     return Binding(**{**row, "keys": tuple(keys)})
@@ -106,7 +106,9 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
     for control in controls:
         match control:
             case Action() if control.keys:
-                yield Binding(control.keys, control.name, control.title, title, technique=technique, hint=True)
+                yield Binding(
+                    control.keys, control.name, control.title, title, technique=technique, hint=control.title.lower()
+                )
             case Slider(keys=(down, up)):
                 step = f"{control.step:g}"
                 yield Binding((down,), f"{control.name} -{step}", f"{control.title} down", title, technique=technique)

@@ -141,11 +141,11 @@ class Session:
         self.give_up_preview()
         self.status = ""
         if self.host.commands.get(command.id) is command:
-            self.host.call(command, "running", command.run, self, line.words)
+            words = self.host.call(command, "running", command.run, self, line.words)
         else:
-            command.run(self, line.words)
+            words = command.run(self, line.words)
         if command.logged:
-            self._log(join_line(line.name, line.words))
+            self._log(join_line(line.name, line.words if words is None else words))
         self._report_faults()
 
     def commands(self) -> dict[str, Command]:
@@ -184,7 +184,7 @@ class Session:
         before, self.document = self.document, document
         if self._before_preview is not None:
             return
-        if entry:
+        if entry and not document.same_as(before):
             self.history.record(Change(title, before, document))
         self._announce(before)
 
@@ -257,14 +257,13 @@ class Session:
 
     def hints(self) -> tuple[tuple[str, str], ...]:
         """Return the few keys worth showing in the status line now."""
-        titles = {name: command.title for name, command in self.commands().items()}
         shown = [binding for binding in self.key_table().valid(self.situation) if binding.hint]
         return tuple(
             (
                 f"{spoken(binding.keys[0])}–{spoken(binding.keys[-1])}"
                 if "{key}" in binding.command
                 else spoken(binding.keys[0]),
-                binding.title or titles.get(binding.command.split()[0], binding.command),
+                binding.hint,
             )
             for binding in shown
         )

@@ -111,7 +111,9 @@ def _amount(session: Session) -> str:
 
 
 def _selected(session: Session) -> int:
-    return session.view.selected[-1] if session.view.selected else 0
+    if not session.view.selected:
+        raise ImpossibleError("no limb is selected; Tab selects one")
+    return session.view.selected[-1]
 
 
 def _show(session: Session, chosen: tuple[int, ...]) -> None:

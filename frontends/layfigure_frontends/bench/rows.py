@@ -1,0 +1,38 @@
+"""One measured row of the benchmark table, and how a time is taken."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Row:
+    """A measurement: what was done, the median, the target of the house, and a peer measured in the same run.
+
+    ``ratio`` is peer / ours (greater than 1: we are faster), None without a peer.
+    """
+
+    area: str
+    work: str
+    value: float
+    unit: str
+    target: str = ""
+    peer: str = ""
+    peer_value: float | None = None
+    ratio: float | None = None
+    note: str = ""
+
+
+def median_seconds(work: Callable[[], object], repeats: int, warm_up: int = 3) -> float:
+    """Return the median time of one call of ``work`` in seconds, after a warm-up."""
+    for _ in range(warm_up):
+        work()
+    times = []
+    for _ in range(repeats):
+        begun = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - begun)
+    return statistics.median(times)
