@@ -29,8 +29,8 @@ def build_figure(name: str, definition: LimbDefinition) -> Figure:
     """Return the figure that a root limb's definition describes.
 
     Raises:
-        DefinitionError: two limbs share a name, a limb has the name kept for the root or one too long, mirrors multiply past :data:`MAXIMUM_LIMBS`, or there are more than
-            :data:`MAXIMUM_VOLUMES` volumes.
+        DefinitionError: two limbs share a name, a limb has the name kept for the root or one too long, mirrors
+            multiply past :data:`MAXIMUM_LIMBS`, or there are more than :data:`MAXIMUM_VOLUMES` volumes.
     """
     expanded: list[_Expanded] = []
     indices: dict[str, int] = {}

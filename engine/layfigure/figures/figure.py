@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +79,7 @@ class FigureArrays:
 class Figure:
     """An articulated figure. Limb 0 is the root; ``limbs`` is parents-first in file order.
 
+    ``path`` is the file that a person's own figure came from, absolute; None for a shipped one.
     Build one with :func:`layfigure.figures.build.build_figure` or load one with :mod:`layfigure.figures.library`.
     """
 
@@ -87,6 +89,7 @@ class Figure:
     arrays: FigureArrays
     definition: LimbDefinition
     _indices: dict[str, int] = field(repr=False)
+    path: Path | None = None
 
     def index(self, name: str) -> int:
         """Return the index of a limb by its case-insensitive name.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 from pathlib import Path
 
@@ -30,29 +31,22 @@ def is_path(reference: str) -> bool:
 def load_figure(reference: str | Path, folder: Path | None = None) -> Figure:
     """Return the figure of a shipped name (case-insensitive) or of a path, taken relative to ``folder``.
 
+    It is called like its file, and one loaded by path remembers it.
+
     Raises:
         LayfigureError: no shipped figure has the name.
         FileError: the file cannot be read.
         SourceError: the file has a mistake.
     """
     if isinstance(reference, Path) or is_path(reference):
-        return load_figure_file((folder or Path()) / reference)
+        path = (folder or Path()) / Path(reference).expanduser()
+        return dataclasses.replace(_load(path), path=path.absolute())
     for path in resources.model_files():
         if path.stem.casefold() == reference.casefold():
-            return load_figure_file(path)
+            return _load(path)
     known = figure_names()
     hint = did_you_mean(reference, known)
     raise LayfigureError(f'there is no figure "{reference[:80]}"; the figures are {", ".join(known)}{hint}')
-
-
-def load_figure_file(path: Path) -> Figure:
-    """Return the figure of a ``.fig`` file, named after the file.
-
-    Raises:
-        FileError: the file cannot be read.
-        SourceError: the file has a mistake.
-    """
-    return read_figure(path.stem, read_text(path, maximum_bytes=MAXIMUM_FIG_BYTES), path)
 
 
 def read_figure(name: str, text: str, source: str | Path) -> Figure:
@@ -66,3 +60,7 @@ def read_figure(name: str, text: str, source: str | Path) -> Figure:
         return build_figure(name, parsed.definition)
     except DefinitionError as error:
         raise SourceError(source, *parsed.places[id(error.limb)], str(error)) from None
+
+
+def _load(path: Path) -> Figure:
+    return read_figure(path.stem, read_text(path, maximum_bytes=MAXIMUM_FIG_BYTES), path)

@@ -87,6 +87,12 @@ class WordReader:
         """Make the word that was taken last the next one again."""
         self._peeked = word
 
+    def skip_line(self) -> None:
+        """Take everything up to the end of the line, and that end (with ``lines``)."""
+        while not self.peek().ends:
+            self._peeked = None
+        self.take()
+
     def number(self, what: str, limit: float = MAXIMUM_NUMBER) -> float:
         """Return the next word as a finite number of at most ``limit`` in size; ``what`` says what it stands for.
 
