@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from layfigure.errors import ImpossibleError
+from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import limit_of
 from layfigure.session.figures import open_figure
@@ -86,7 +86,11 @@ def _flip(session: Session, words: tuple[str, ...]) -> None:
 def _pose(session: Session, words: tuple[str, ...]) -> None:
     token = required(words, 0, "a packed pose")
     no_more(words, 1)
-    session.set_pose("open a pose", PoseSet(unpack_pose(session.document.figure, token)))
+    try:
+        pose = unpack_pose(session.document.figure, token)
+    except LayfigureError as error:
+        raise WordError(1, str(error)) from None
+    session.set_pose("open a pose", PoseSet(pose))
 
 
 def _figure(session: Session, words: tuple[str, ...]) -> None:
