@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from layfigure.errors import ImpossibleError
@@ -33,7 +33,7 @@ State = GeneratorState
 class Generator:
     """The technique at work on one figure; ``begins_made`` is false where the user makes the first generation."""
 
-    figure: Figure
+    figure: Figure = field(repr=False)
     begins_made: bool = True
 
     @staticmethod
