@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.events import Event, KeyEvent, PointerEvent
-from layfigure.session.frame import Outline, Pane, SliderBar
+from layfigure.session.frame import Outline, Pane, Size, SliderBar
 from layfigure.session.modes import Become, GiveUp, Outcome, Plain, Pop, Preview, Run
 from layfigure.session.words import join_line
 
@@ -22,8 +22,9 @@ class SliderDrag(Plain):
     bar: SliderBar
     line: str = ""
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Preview while moving, run on release, give up on Esc."""
+        del size
         if isinstance(event, KeyEvent):
             return [Pop(), GiveUp()] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
@@ -52,8 +53,9 @@ class OrbitDrag(Plain):
     click: str = ""
     moved: bool = False
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Turn while moving; on Esc the view goes back."""
+        del size
         if isinstance(event, KeyEvent):
             return [Pop(), Run(camera_line(self.camera))] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
@@ -93,8 +95,9 @@ class BandDrag(Plain):
     band: str
     now: tuple[float, float] | None = None
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Grow the rectangle while moving, take what is inside on release, give up on Esc."""
+        del size
         if isinstance(event, KeyEvent):
             return [Pop()] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):

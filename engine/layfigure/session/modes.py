@@ -9,10 +9,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from layfigure.session.events import Event, KeyEvent
-from layfigure.session.frame import HelpOverlay, ModalOverlay, Outline, PaletteOverlay, QuestionOverlay
+from layfigure.session import dialogs
+from layfigure.session.events import Event, KeyEvent, PointerEvent
+from layfigure.session.frame import HelpOverlay, ModalOverlay, Outline, PaletteOverlay, QuestionOverlay, Size
 from layfigure.session.keymap import KeyTable, Situation, spoken, spoken_keys
 from layfigure.session.matching import Entry, complete, matching
+from layfigure.session.words import join_line
 
 
 @dataclass(frozen=True)
@@ -70,8 +72,8 @@ class Mode(Protocol):
     def state(self) -> str:
         """The name keymaps know it by."""
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
-        """Return what shall happen, or None to let the keymap decide."""
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Return what shall happen on a surface of that size, or None to let the keymap decide."""
 
     def overlay(self) -> ModalOverlay | None:
         """Return what stands on top of the window, if anything."""
@@ -88,9 +90,9 @@ class Plain:
         """The name keymaps know it by."""
         return "pose"
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Return None: the keymap decides."""
-        del event
+        del event, size
         return None
 
     def overlay(self) -> ModalOverlay | None:
@@ -113,8 +115,9 @@ class HelpMode(Plain):
         """The name keymaps know it by."""
         return "help"
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Swallow everything but keys; a click closes."""
+        del size
         if isinstance(event, KeyEvent):
             return None
         return [Pop()] if getattr(event, "kind", "") == "press" else []
@@ -163,15 +166,21 @@ class PaletteMode(Plain):
         """The entries that match what is typed, best first."""
         return matching(self.entries, self.text)
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
-        """Take typed text; editing keys go to the keymap; a click outside closes."""
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Take typed text or a click on a row; editing keys go to the keymap; a click outside closes."""
         if isinstance(event, KeyEvent):
             typed = event.text if event.text.isprintable() and "ctrl+" not in event.key else ""
             plain = len(event.key) == 1 or event.key == "space" or event.key.startswith(("shift+", "kp"))
             if typed and plain:
                 return [Become(replace(self, text=self.text + typed, chosen=0, message=""))]
             return None
-        return [Pop()] if getattr(event, "kind", "") == "press" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("press", "double"):
+            return []
+        places = dialogs.palette(size, len(self.rows), self.chosen)
+        for row, place in enumerate(places.rows, start=places.first):
+            if place.contains(event.x, event.y):
+                return [Become(replace(self, chosen=row)), Run("accept")]
+        return [] if places.box.contains(event.x, event.y) else [Pop()]
 
     def erased(self) -> PaletteMode:
         """Return the state without the last character."""
@@ -191,7 +200,7 @@ class PaletteMode(Plain):
         if self.prefix:
             rows = self.rows
             exact = any(entry.command == self.text for entry in rows)
-            return f"{self.prefix} {self.text if exact or not rows else rows[self.chosen].command}".strip()
+            return join_line(self.prefix, [self.text.strip() if exact or not rows else rows[self.chosen].command])
         words = self.text.split()
         if len(words) > 1 or any(entry.command == self.text.strip() for entry in self.entries) or not self.rows:
             return self.text.strip()
@@ -215,8 +224,16 @@ class QuestionMode(Plain):
         """The name keymaps know it by."""
         return "question"
 
-    def hear(self, event: Event) -> Sequence[Outcome] | None:
-        """Take an answer's key; Enter is the first answer, Esc the last."""
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Take an answer's key or a click on it; Enter is the first answer, Esc the last."""
+        if isinstance(event, PointerEvent) and event.kind in ("press", "double"):
+            places = dialogs.question(size, len(self.answers)).answers
+            hit = [
+                command
+                for place, (*_, command) in zip(places, self.answers, strict=True)
+                if place.contains(event.x, event.y)
+            ]
+            return [Pop(), *(Run(command) for command in hit)] if hit else []
         if not isinstance(event, KeyEvent):
             return []
         keys = {key: command for _, key, command in self.answers}

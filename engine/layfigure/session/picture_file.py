@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,7 @@ class PictureOptions:
 
     side: int = SHEET_SIDE
     sheet: bool = True
-    camera: Camera = Camera()
+    camera: Camera = field(default_factory=Camera)
 
 
 def draw_pose(session: Session, pose: Pose, options: PictureOptions) -> Target:

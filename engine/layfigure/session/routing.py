@@ -29,7 +29,7 @@ LEFT, RIGHT = 1, 3
 
 def route(session: Session, event: Event) -> None:
     """Let the state on top hear an event, else decide by the keymap or by what is under the pointer."""
-    outcomes = session.mode.hear(event)
+    outcomes = session.mode.hear(event, session.stage.size)
     if outcomes is None:
         outcomes = _default(session, event)
     for outcome in outcomes:

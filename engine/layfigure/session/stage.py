@@ -85,6 +85,11 @@ class Stage:
             raise ImpossibleError("nothing is shown yet")
         return self._picture
 
+    @property
+    def size(self) -> Size:
+        """The surface composed for last."""
+        return self._picture.frame.size if self._picture is not None else Size(0, 0)
+
     def pane_at(self, x: float, y: float) -> Pane | None:
         """Return the view under a point of the surface."""
         return pane_at(self.picture.frame.panes, x, y)

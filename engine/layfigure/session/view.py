@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.render_list import RECOMMENDED, Look
@@ -16,7 +16,7 @@ class ViewState:
     keys walk from; ``hover`` is (candidate, limb) under the pointer, candidate -1 being the working pose.
     """
 
-    camera: Camera = Camera()
+    camera: Camera = field(default_factory=Camera)
     candidate: int = 0
     selected: tuple[int, ...] = ()
     hover: tuple[int, int] | None = None

@@ -10,7 +10,6 @@ import numpy as np
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import limit_of
-from layfigure.session.figures import open_figure
 from layfigure.plugins.records import Command
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
@@ -18,6 +17,7 @@ from layfigure.poses.symmetry import flipped
 from layfigure.session.commands.candidates import limbs
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
+from layfigure.session.figures import open_figure
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
 from layfigure.techniques.contract import PoseSet
 
