@@ -13,8 +13,8 @@ Floats = NDArray[np.float64]
 
 LEAST_PITCH = np.sin(np.radians(12.0))  # the front view sees the floor edge-on; it is drawn as if from a little above
 POOL_RADIUS = 0.72  # of a view's smaller side: how far the lit floor reaches
-CELLS_ACROSS = 9.0  # about so many grid cells fit a view
-DARKEST = 0.62  # what a full shadow takes off the floor
+CELLS_ACROSS = 6.0  # about so many grid cells fit a view
+DARKEST = 0.75  # what a full shadow takes off the floor
 
 
 class Stage(NamedTuple):
@@ -39,7 +39,7 @@ def set_stage(render_list: RenderList, look: Look) -> Stage:
     if not floor:
         return Stage(frames, np.minimum(gradients, 255.0), np.empty((0, 14)), tints, 0.0)
     light = 255.0 - background
-    tints[:, 0] = 0.06 * light + 0.03 * background
+    tints[:, 0] = 0.075 * light + 0.03 * background
     bright = background.mean(axis=1, keepdims=True) > 127.0
     tints[:, 1] = np.where(bright, -0.13 * background, 0.12 * light) if look.grid else 0.0
     return Stage(frames, np.minimum(gradients, 255.0), _planes(render_list), tints, DARKEST if look.shadow else 0.0)
@@ -73,7 +73,7 @@ def _planes(render_list: RenderList) -> Floats:
 
 
 def _grid_step(wanted: Floats) -> Floats:
-    """Return the round number 1, 2 or 5 times a power of ten that is next below each wanted step."""
+    """Return the round number 1, 2 or 5 times a power of ten that is next above each wanted step."""
     power = 10.0 ** np.floor(np.log10(np.maximum(wanted, 1e-9)))
     lead = wanted / power
-    return power * np.where(lead >= 5, 5.0, np.where(lead >= 2, 2.0, 1.0))
+    return power * np.where(lead > 5, 10.0, np.where(lead > 2, 5.0, 2.0))

@@ -39,9 +39,8 @@ class RasterRenderer:
         shading = shade(render_list, look)
         lights = light_vectors(render_list.rotations, look)
         scratch = self._room(samples * (samples * int(visible[:, 2].max()) + _ROW_SLACK))
-        draw_volumes(
-            visible, slices, kinds, points, radii, shading.codes, lights, *shading[1:], samples, scratch, flat, pitch
-        )
+        colours = (shading.codes, lights, shading.tables, shading.table_of_view)
+        draw_volumes(visible, slices, kinds, points, radii, *colours, samples, scratch, flat, pitch)
 
     def _room(self, keys: int) -> NDArray[np.int32]:
         """Return zeroed scratch memory for at least that many keys."""

@@ -15,8 +15,8 @@ Floats = NDArray[np.float64]
 
 SHADES = 64
 RAMPS = 256  # what the 8 bits of a key can tell apart
-TO_LIGHT = np.array([-0.46, -0.62, -0.64])  # x right, y down, z away: over the viewer's left shoulder
-SKY_SHARE = 0.35  # of the hemisphere's up against the lamp
+TO_LIGHT = np.array([-0.62, -0.60, -0.50])  # x right, y down, z away: over the viewer's left shoulder
+SKY_SHARE = 0.28  # of the hemisphere's up against the lamp
 ACCENT = np.array([96.0, 178.0, 255.0])  # what a selected limb is tinted with
 _WARM, _COOL = np.array([1.02, 1.0, 0.965]), np.array([0.93, 0.98, 1.1])
 _GREY = np.array([0.2126, 0.7152, 0.0722])  # luminance, ITU-R BT.709
@@ -100,7 +100,7 @@ def ramps(base: Floats, hemisphere: bool) -> Floats:
     """
     level = (np.arange(SHADES) + 0.5) / SHADES
     if hemisphere:
-        strength = 0.36 + 0.84 * level**1.4
+        strength = 0.24 + 1.02 * level**1.5
         tint = _COOL + (_WARM - _COOL) * level[:, None]
         highlight = 0.16 * np.clip((level - 0.86) / 0.14, 0, 1) ** 2
     else:

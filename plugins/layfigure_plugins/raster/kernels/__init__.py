@@ -21,8 +21,7 @@ _RELAXED = {"nsz", "arcp", "contract", "afn", "reassoc"}
 def jit(signature: Any = None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Return the decorator of all kernels here; they draw and never feed a pose, so the maths may be relaxed."""
     options: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": _RELAXED}
-    decorate = numba.njit(**options) if signature is None else numba.njit(signature, **options)
-    return decorate  # type: ignore[no-any-return]
+    return numba.njit(**options) if signature is None else numba.njit(signature, **options)  # type: ignore[no-any-return]
 
 
 def read_only(scalar: Any, dimensions: int) -> Any:
