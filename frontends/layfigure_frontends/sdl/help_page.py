@@ -1,0 +1,113 @@
+"""Paints the help page: sections of keys and what they do, flowing through columns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from layfigure.drawing.render_list import Rectangle
+from layfigure.session.frame import HelpOverlay, Size
+from layfigure.session.layout import STATUS
+from layfigure_frontends.sdl import shapes
+from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas
+
+COLUMN = 400
+LINE = 26
+PADDING = 28
+HEADING = 56
+
+
+@dataclass(frozen=True)
+class HelpLine:
+    """A line of the page: a section's title (no keys), a row, or room between sections (no text)."""
+
+    text: str = ""
+    keys: str = ""
+
+
+def help_lines(overlay: HelpOverlay) -> list[HelpLine]:
+    """Return the page as lines, sections one after another."""
+    lines: list[HelpLine] = []
+    for title, rows in overlay.sections:
+        lines.extend([HelpLine()] * bool(lines))
+        lines.append(HelpLine(title))
+        lines.extend(HelpLine(text, keys) for keys, text in rows)
+    return lines
+
+
+def columns(lines: list[HelpLine], count: int, length: int) -> list[list[HelpLine]]:
+    """Return the lines cut into ``count`` columns of at most ``length``; a section's title never ends a column."""
+    result: list[list[HelpLine]] = []
+    rest = lines
+    while rest and len(result) < count:
+        cut = min(length, len(rest))
+        while cut < len(rest) and cut > 1 and not rest[cut - 1].keys:
+            cut -= 1
+        result.append(rest[:cut])
+        rest = rest[cut:]
+        while rest and rest[0] == HelpLine():
+            rest = rest[1:]
+    return result
+
+
+def paint_help(canvas: Canvas, overlay: HelpOverlay, size: Size) -> None:
+    """Paint the page over the window, as many columns as it needs and the window holds."""
+    pixels = canvas.pixels
+    lines = help_lines(overlay)
+    bottom = size.height - pixels(STATUS)
+    most = max((size.width - 4 * pixels(PADDING)) // pixels(COLUMN), 1)
+    room = max((bottom - pixels(HEADING) - 3 * pixels(PADDING)) // pixels(LINE), 4)
+    count = min(most, -(-len(lines) // room))
+    length = room if count * room < len(lines) else _least_length(lines, count, room)
+    start = min(overlay.scroll, max(len(lines) - count * room, 0))
+    parts = columns(lines[start:], count, length)
+    width = min(count * pixels(COLUMN) + (count + 1) * pixels(PADDING), size.width - 2 * pixels(8))
+    height = pixels(HEADING) + length * pixels(LINE) + pixels(PADDING)
+    box = Rectangle((size.width - width) // 2, max((bottom - height) // 2, 0), width, height)
+    _paint_page(canvas, overlay.title, box)
+    column = (width - (count + 1) * pixels(PADDING)) // count
+    for index, part in enumerate(parts):
+        left = box.x + pixels(PADDING) + index * (column + pixels(PADDING))
+        _paint_column(canvas, part, Rectangle(left, box.y + pixels(HEADING), column, length * pixels(LINE)))
+    if start + sum(map(len, parts)) < len(lines):
+        _paint_more(canvas, box)
+
+
+def _least_length(lines: list[HelpLine], count: int, room: int) -> int:
+    """The shortest columns that hold every line."""
+    wanted = sum(1 for line in lines if line != HelpLine())
+    for length in range(-(-len(lines) // count), room):
+        held = sum(1 for part in columns(lines, count, length) for line in part if line != HelpLine())
+        if held == wanted:
+            return length
+    return room
+
+
+def _paint_page(canvas: Canvas, title: str, box: Rectangle) -> None:
+    pixels, theme = canvas.pixels, canvas.theme
+    shapes.shadow(canvas.surface, box, pixels(14))
+    shapes.rounded(canvas.surface, box, pixels(12), theme.panel)
+    shapes.border(canvas.surface, box, pixels(12), theme.border, max(pixels(1), 1))
+    heading = Rectangle(
+        box.x + pixels(PADDING), box.y + pixels(6), box.width - 2 * pixels(PADDING), pixels(HEADING - 12)
+    )
+    canvas.text(heading, title, TITLE, theme.text)
+
+
+def _paint_column(canvas: Canvas, lines: list[HelpLine], box: Rectangle) -> None:
+    height, theme = canvas.pixels(LINE), canvas.theme
+    for index, line in enumerate(lines):
+        row = Rectangle(box.x, box.y + index * height, box.width, height)
+        if not line.keys:
+            canvas.text(row, line.text, STRONG, theme.accent)
+            continue
+        cap = canvas.keys_width(line.keys)
+        canvas.keys(row.x + row.width - cap, row.y + height // 2, line.keys)
+        text = Rectangle(row.x, row.y, max(row.width - cap - canvas.pixels(12), 0), height)
+        canvas.text(text, line.text, TEXT, theme.text)
+
+
+def _paint_more(canvas: Canvas, box: Rectangle) -> None:
+    """Say that the page goes on below."""
+    height = canvas.pixels(20)
+    foot = Rectangle(box.x, box.y + box.height - height - canvas.pixels(4), box.width, height)
+    canvas.text(foot, "↓ more", SMALL, canvas.theme.muted, "centre")

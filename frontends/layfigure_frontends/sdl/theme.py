@@ -1,0 +1,46 @@
+"""The painter's colours, read from ``data/themes``."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, fields
+from functools import cache
+
+from layfigure import resources
+
+RGB = tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Theme:
+    """Colours by what they are for; ``accent`` is the only hue, ``shade`` darkens what lies under a dialog."""
+
+    window: RGB
+    panel: RGB
+    raised: RGB
+    hovered: RGB
+    track: RGB
+    border: RGB
+    text: RGB
+    muted: RGB
+    faint: RGB
+    accent: RGB
+    accent_quiet: RGB
+    on_accent: RGB
+    warning: RGB
+    key: RGB
+    key_edge: RGB
+    key_text: RGB
+    shade: RGB
+
+
+@cache
+def load_theme(name: str) -> Theme:
+    """Return a shipped theme by name."""
+    data = tomllib.loads(resources.data("themes", f"{name}.toml").read_text(encoding="utf-8"))
+    return Theme(**{field.name: _rgb(data["colours"][field.name]) for field in fields(Theme)})
+
+
+def _rgb(text: str) -> RGB:
+    value = int(text.removeprefix("#"), 16)
+    return (value >> 16, value >> 8 & 255, value & 255)
