@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from layfigure.plugins.host import Host
     from layfigure.session.session import Session, SessionOptions
 
-F = TypeVar("F", bound=Callable[..., object])
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 @dataclass(frozen=True)
@@ -27,17 +28,32 @@ class PluginChoice:
     config: Path | None = None
 
 
-def plugin_options(function: F) -> F:
-    """Add ``--plugin``, ``--no-plugin``, ``--safe`` and ``--config`` to a subcommand."""
-    path = click.Path(path_type=Path)
-    for option in (
-        click.option("--config", type=path, help="Read this configuration file instead of your own."),
-        click.option("--safe", is_flag=True, help="Only Layfigure's own plug-ins."),
-        click.option("--no-plugin", "without", multiple=True, metavar="NAME", help="Leave a plug-in out."),
-        click.option("--plugin", "files", multiple=True, type=path, metavar="FILE", help="Add a one-file plug-in."),
-    ):
-        function = option(function)
-    return function
+def as_record(name: str, record: type, *options: Callable[[F], F]) -> Callable[[F], F]:
+    """Return a decorator that adds options to a subcommand and hands their values over as one frozen record."""
+
+    def decorate(function: F) -> F:
+        @functools.wraps(function)
+        def gathered(**values: object) -> object:
+            taken = {field.name: values.pop(field.name) for field in fields(record)}
+            return function(**values, **{name: record(**taken)})
+
+        decorated = cast(F, gathered)
+        for option in reversed(options):
+            decorated = option(decorated)
+        return decorated
+
+    return decorate
+
+
+_PATH = click.Path(path_type=Path)
+plugin_options = as_record(
+    "choice",
+    PluginChoice,
+    click.option("--plugin", "files", multiple=True, type=_PATH, metavar="FILE", help="Add a one-file plug-in."),
+    click.option("--no-plugin", "without", multiple=True, metavar="NAME", help="Leave a plug-in out."),
+    click.option("--safe", is_flag=True, help="Only Layfigure's own plug-ins."),
+    click.option("--config", type=_PATH, help="Read this configuration file instead of your own."),
+)
 
 
 def open_host(choice: PluginChoice) -> Host:

@@ -18,7 +18,8 @@ SIZE = Size(1280, 900)
 def rows(quick: bool) -> list[Row]:
     """Return the generator's rows: M to a new offer, and M to a page drawn in memory."""
     host = Host.discover()
-    session = Session(host, Document.new(open_figure(host, "humanoid")), session_options(host, Configuration(), "headless"))
+    options = session_options(host, Configuration(), "headless")
+    session = Session(host, Document.new(open_figure(host, "humanoid")), options)
     session.execute("pick 4 spine rightthigh leftupperarm neck")
     target = new_target(SIZE.width, SIZE.height)
 

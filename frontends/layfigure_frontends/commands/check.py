@@ -12,13 +12,10 @@ from layfigure_frontends.opening import PluginChoice, plugin_options
 @click.command("check")
 @click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE…")
 @plugin_options
-def command(
-    paths: tuple[Path, ...], files: tuple[Path, ...], without: tuple[str, ...], safe: bool, config: Path | None
-) -> int:
+def command(paths: tuple[Path, ...], choice: PluginChoice) -> int:
     """Say whether each FILE (.fig, .pose or .log) is right; a mistake is named with line and column."""
     from layfigure.errors import LayfigureError
 
-    choice = PluginChoice(files, without, safe, config)
     status = 0
     for path in paths:
         try:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import click
 
@@ -13,9 +12,9 @@ from layfigure_frontends.opening import PluginChoice, open_host, plugin_options
 @click.command("plugins")
 @click.option("--json", "as_json", is_flag=True, help="As JSON, for programs.")
 @plugin_options
-def command(as_json: bool, files: tuple[Path, ...], without: tuple[str, ...], safe: bool, config: Path | None) -> int:
+def command(as_json: bool, choice: PluginChoice) -> int:
     """List techniques, renderers and the other things plug-ins bring, whose they are, and faults."""
-    host = open_host(PluginChoice(files, without, safe, config))
+    host = open_host(choice)
     kinds = {
         "techniques": host.techniques,
         "renderers": host.renderers,

@@ -2,44 +2,49 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import click
 
 from layfigure_frontends.choosing import FRONTENDS, choose_frontend
-from layfigure_frontends.opening import PluginChoice, plugin_options
+from layfigure_frontends.opening import PluginChoice, as_record, plugin_options
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 
+@dataclass(frozen=True)
+class WindowChoice:
+    """How the window is to open."""
+
+    scale: float | None
+    size: str | None
+    no_restore: bool
+
+
+window_options = as_record(
+    "window",
+    WindowChoice,
+    click.option("--scale", type=click.FloatRange(0.5, 4.0), help="Size of everything in the window."),
+    click.option("--size", metavar="WxH", help="Size of the window in pixels."),
+    click.option("--no-restore", is_flag=True, help="Do not offer back a session that was not closed."),
+)
+
+
 @click.command("pose")
 @click.argument("what", default="", metavar="[FIGURE|POSE]")
-@click.option("--frontend", type=click.Choice(FRONTENDS), default=None, help="Where to work (default: what there is).")
-@click.option("--scale", type=click.FloatRange(0.5, 4.0), default=None, help="Size of everything in the window.")
-@click.option("--size", default=None, metavar="WxH", help="Size of the window in pixels.")
-@click.option("--no-restore", is_flag=True, help="Do not offer back a session that was not closed.")
+@click.option("--frontend", type=click.Choice(FRONTENDS), help="Where to work (default: what there is).")
+@window_options
 @plugin_options
-def command(  # noqa: PLR0917
-    what: str,
-    frontend: str | None,
-    scale: float | None,
-    size: str | None,
-    no_restore: bool,
-    files: tuple[Path, ...],
-    without: tuple[str, ...],
-    safe: bool,
-    config: Path | None,
-) -> int:
+def command(what: str, frontend: str | None, window: WindowChoice, choice: PluginChoice) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
     Opens a window where there is a display; else plays a script and writes a picture and a pose.
     """
-    choice = PluginChoice(files, without, safe, config)
     from layfigure.configuration import load_configuration
 
-    configuration = load_configuration(config)
+    configuration = load_configuration(choice.config)
     if choose_frontend(frontend or configuration.frontend) == "headless":
         from layfigure_frontends.headless import pose_without_window
 
@@ -47,8 +52,8 @@ def command(  # noqa: PLR0917
         return 0
     from layfigure_frontends.sdl.app import WindowOptions, run
 
-    window = WindowOptions(scale=scale or configuration.scale or None, size=_window_size(size))
-    return run(lambda: _interactive(choice, what, restore=not no_restore), window)
+    options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
+    return run(lambda: _interactive(choice, what, restore=not window.no_restore), options)
 
 
 def _interactive(choice: PluginChoice, what: str, *, restore: bool) -> Session:

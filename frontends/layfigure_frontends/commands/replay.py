@@ -18,10 +18,7 @@ def command(
     log: Path,
     output: Path | None,
     pose: Path | None,
-    files: tuple[Path, ...],
-    without: tuple[str, ...],
-    safe: bool,
-    config: Path | None,
+    choice: PluginChoice,
 ) -> int:
     """Play LOG, the text that every session writes, and say where it ends."""
     from layfigure.files.reading import read_text
@@ -31,7 +28,7 @@ def command(
     from layfigure.session.picture_file import save_sheet
     from layfigure_frontends.headless import play_log
 
-    session = play_log(PluginChoice(files, without, safe, config), parse_log(read_text(log), log))
+    session = play_log(choice, parse_log(read_text(log), log))
     text = write_pose(session.document.figure, session.document.pose)
     if pose is not None:
         write_text(pose, text)
