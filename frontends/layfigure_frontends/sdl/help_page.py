@@ -10,10 +10,10 @@ from layfigure.session.layout import STATUS
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas
 
-COLUMN = 400
-LINE = 26
+NARROW, WIDE = 340, 400
+LINE = 25
 PADDING = 28
-HEADING = 56
+HEADING = 52
 
 
 @dataclass(frozen=True)
@@ -54,19 +54,19 @@ def paint_help(canvas: Canvas, overlay: HelpOverlay, size: Size) -> None:
     pixels = canvas.pixels
     lines = help_lines(overlay)
     bottom = size.height - pixels(STATUS)
-    most = max((size.width - 4 * pixels(PADDING)) // pixels(COLUMN), 1)
-    room = max((bottom - pixels(HEADING) - 3 * pixels(PADDING)) // pixels(LINE), 4)
+    edge = pixels(PADDING)
+    most = max((size.width - 2 * edge) // (pixels(NARROW) + edge), 1)
+    room = max((bottom - pixels(HEADING) - 2 * edge) // pixels(LINE), 4)
     count = min(most, -(-len(lines) // room))
     length = room if count * room < len(lines) else _least_length(lines, count, room)
     start = min(overlay.scroll, max(len(lines) - count * room, 0))
     parts = columns(lines[start:], count, length)
-    width = min(count * pixels(COLUMN) + (count + 1) * pixels(PADDING), size.width - 2 * pixels(8))
-    height = pixels(HEADING) + length * pixels(LINE) + pixels(PADDING)
+    column = min(pixels(WIDE), (size.width - (count + 2) * edge) // count)
+    width, height = count * column + (count + 1) * edge, pixels(HEADING) + length * pixels(LINE) + edge
     box = Rectangle((size.width - width) // 2, max((bottom - height) // 2, 0), width, height)
     _paint_page(canvas, overlay.title, box)
-    column = (width - (count + 1) * pixels(PADDING)) // count
     for index, part in enumerate(parts):
-        left = box.x + pixels(PADDING) + index * (column + pixels(PADDING))
+        left = box.x + edge + index * (column + edge)
         _paint_column(canvas, part, Rectangle(left, box.y + pixels(HEADING), column, length * pixels(LINE)))
     if start + sum(map(len, parts)) < len(lines):
         _paint_more(canvas, box)

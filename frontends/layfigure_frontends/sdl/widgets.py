@@ -16,7 +16,13 @@ TRACK = 4
 
 
 def paint_widget(canvas: Canvas, widget: Widget) -> None:
-    """Paint one widget."""
+    """Paint one widget; what has no room in its rectangle is clipped."""
+    canvas.surface.set_clip(widget.rectangle)
+    _paint(canvas, widget)
+    canvas.surface.set_clip(None)
+
+
+def _paint(canvas: Canvas, widget: Widget) -> None:
     match widget:
         case Label():
             paint_label(canvas, widget)
