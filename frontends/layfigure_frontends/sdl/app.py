@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Door", "WindowOptions", "run"]
 
-WAIT = 200  # milliseconds between looks at signals while nothing happens
+WAIT = 100  # milliseconds after which a signal is noticed at the latest
 REPEAT = (350, 40)
 RESIZED = (pygame.WINDOWSIZECHANGED, pygame.WINDOWEXPOSED, pygame.WINDOWDISPLAYCHANGED)
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
@@ -94,8 +94,10 @@ class _Loop:
 
     def __init__(self, window: Window, session: Door, caught: list[int]) -> None:
         from layfigure_frontends.sdl.translation import Translator
+        from layfigure_frontends.sdl.waiting import Waiting
         from layfigure_frontends.warming import Warming
 
+        self._waiting = Waiting()
         self._window = window
         self._session = session
         self._caught = caught
@@ -111,7 +113,7 @@ class _Loop:
         self._show()
         self._warming.start()
         while self._session.running and not self._caught:
-            self._take(_waited())
+            self._take(self._waiting.events(WAIT))
             if self._session.running:
                 self._show()
                 self._serve()
@@ -186,9 +188,3 @@ class _Loop:
         except LayfigureError as error:
             self._session.say(str(error))
             self._painted = None
-
-
-def _waited() -> list[pygame.Event]:
-    """Wait for an event, at most a moment, and return it with all that came along."""
-    first = pygame.event.wait(WAIT)
-    return [] if first.type == pygame.NOEVENT else [first, *pygame.event.get()]

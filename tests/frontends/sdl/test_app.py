@@ -11,6 +11,7 @@ from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure_frontends import warming
 from layfigure_frontends.sdl import app, window
 from layfigure_frontends.sdl.app import WindowOptions, run
+from layfigure_frontends.sdl.waiting import Waiting
 
 
 @pytest.fixture(autouse=True)
@@ -36,13 +37,13 @@ def play(session, *acts, **options):
     """Run the window; each act happens one after another, once all events before it were heard; then it closes."""
     waiting = list(acts)
 
-    def wait(_):
+    def events(self, timeout):
         if not pygame.event.peek():
             waiting.pop(0)() if waiting else post(pygame.QUIT)
-        return pygame.event.poll()
+        return pygame.event.get()
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(pygame.event, "wait", wait)
+        patch.setattr(Waiting, "events", events)
         return run(lambda: session, WindowOptions(**{"size": (800, 600), **options}))
 
 
@@ -51,6 +52,16 @@ def test_keys_reach_the_session_and_closing_the_window_runs_quit(session):
     assert keys(session) == ["m", "ctrl+z"]
     assert session.ran == ["quit"]
     assert not session.running
+
+
+def test_waiting_ends_with_an_event_or_after_the_time_given():
+    waiting = Waiting()
+    pygame.event.clear()
+    begin = pygame.time.get_ticks()
+    assert waiting.events(30) == []
+    assert pygame.time.get_ticks() - begin >= 30
+    tap(pygame.K_m)
+    assert [event.type for event in waiting.events(1000)] == [pygame.KEYDOWN, pygame.KEYUP]
 
 
 def test_nothing_is_painted_while_nothing_changes(session):
