@@ -206,8 +206,8 @@ class _Parser:
     def _dof(self, block: _Block, word: Word) -> None:
         self._once(block, word.folded, word)
         low_word = self._words.peek()
-        low = self._words.number(f"the least angle of this {word.folded}, in degrees", 180.0)
-        high = self._words.number(f"the greatest angle of this {word.folded}, in degrees", 180.0)
+        low = self._words.number(f"the least angle (degrees) of this {word.folded}", 180.0)
+        high = self._words.number(f"the greatest angle (degrees) of this {word.folded}", 180.0)
         if low > high:
             self._words.fail(low_word, f"this {word.folded} goes from {low:g} to {high:g}; write the smaller one first")
         block.dofs.append(Dof(word.folded.removesuffix("dof"), low, high))
@@ -236,6 +236,8 @@ class _Parser:
         first = self._words.name("the first prefix of the mirror")
         second_word = self._words.peek()
         second = self._words.name("the second prefix of the mirror")
+        if second.casefold() == "joint":
+            self._words.fail(second_word, f"this mirror has one prefix; it needs two: mirror {first} other joint ...")
         if first.casefold() == second.casefold():
             self._words.fail(second_word, f'both prefixes of this mirror are "{second}"; the twins need two names')
         joint = self._words.take()

@@ -214,7 +214,7 @@ class _Reader:
             if kind in angles:
                 self._words.fail(word, f"{word} stands twice in this line; remove one of the two")
             number_word = self._words.peek()
-            angles[kind] = self._words.number(f"{kind} in degrees", 180.0)
+            angles[kind] = self._words.number(f"{kind} (degrees)", 180.0)
             last_swing = last_swing if kind == "twist" else number_word
         if round(abs(angles.get("flexion", 0.0)) + abs(angles.get("pivot", 0.0)), DECIMALS) > 180.0:
             self._words.fail(last_swing, "flexion and pivot together are more than 180 degrees; make one smaller")
