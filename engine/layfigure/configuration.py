@@ -5,21 +5,23 @@ from __future__ import annotations
 import tomllib
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from layfigure import places, resources
 from layfigure.errors import LayfigureError
 from layfigure.files.reading import read_text
-from layfigure.plugins.host import Host
-from layfigure.session.keymap import Binding, parse_keymap
 from layfigure.suggestions import did_you_mean
+
+if TYPE_CHECKING:  # read before the window's first paint, so without numpy behind it
+    from layfigure.plugins.host import Host
+    from layfigure.session.keymap import Binding
 
 Option = float | str | bool
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """Settings with their defaults. ``options`` holds ``[options.TECHNIQUE]`` tables; ``scale`` 0 lets the screen decide."""
+    """Settings with defaults. ``options`` holds ``[options.TECHNIQUE]`` tables; with ``scale`` 0 the screen decides."""
 
     figure: str = "humanoid"
     technique: str = "generator"
@@ -74,6 +76,8 @@ def load_bindings(host: Host, keymap: str) -> tuple[Binding, ...]:
     Raises:
         LayfigureError: no such keymap, or one that cannot be read.
     """
+    from layfigure.session.keymap import parse_keymap
+
     shipped = {path.stem: path for path in resources.data("keymaps").glob("*.toml")}
     if keymap not in shipped:
         raise LayfigureError(f'there is no keymap "{keymap}"; it can be {", ".join(sorted(shipped))}')

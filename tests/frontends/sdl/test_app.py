@@ -1,5 +1,6 @@
 import os
 import signal
+import subprocess
 import sys
 
 import pygame
@@ -206,3 +207,24 @@ def test_the_sentinel_tells_each_frame_and_what_draws(session, tmp_path, monkeyp
         session, lambda: lines.append(path.read_text()), lambda: tap(pygame.K_m), lambda: lines.append(path.read_text())
     )
     assert lines == ["2 sticks\n", "3 sticks\n"]
+
+
+FIRST_PAINT = """
+import sys
+from layfigure.configuration import load_configuration
+from layfigure_frontends.commands import pose
+from layfigure_frontends.sdl.app import WindowOptions, run
+
+load_configuration()
+
+def make():
+    print(*sorted({"numpy", "numba", "rich", "lark"} & set(sys.modules)))
+    sys.exit()
+
+run(make, WindowOptions(size=(400, 300)))
+"""
+
+
+def test_the_window_is_painted_before_anything_heavy_is_imported():
+    answer = subprocess.run([sys.executable, "-c", FIRST_PAINT], capture_output=True, text=True, timeout=30)
+    assert (answer.stdout.strip(), answer.returncode) == ("", 0), answer.stderr
