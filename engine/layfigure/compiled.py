@@ -83,9 +83,8 @@ def load() -> None:
         if _Progress.loaded:
             return
         prepare()
-        from layfigure import kernels
+        importlib.import_module("layfigure.kernels")
 
-        kernels.warm()
         _Progress.loaded = True
 
 

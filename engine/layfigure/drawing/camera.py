@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure.drawing.bounds import bounds
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import place_pose
 from layfigure.kinematics.swing import quaternion_matrices
 from layfigure.poses.pose import Pose
 from layfigure.suggestions import did_you_mean
@@ -54,7 +55,8 @@ def fixed_view(name: str) -> Camera:
         return Camera(FIXED_VIEWS[name])
     except KeyError:
         known = ", ".join(FIXED_VIEWS)
-        raise LayfigureError(f'there is no view "{name}"; the views are {known}{did_you_mean(name, FIXED_VIEWS)}') from None
+        hint = did_you_mean(name, FIXED_VIEWS)
+        raise LayfigureError(f'there is no view "{name}"; the views are {known}{hint}') from None
 
 
 @dataclass(frozen=True)
@@ -68,33 +70,13 @@ class Framing:
     half_extent: float
 
 
+@lru_cache(maxsize=16)
 def framing(figure: Figure) -> Framing:
     """Return a framing that holds the rest pose with room to move, the same for every pose so that sizes compare."""
     low, high = bounds(figure, Pose.rest(figure))
     centre = (low + high) / 2
     half_extent = max(float((high - low).max()) / 2 * 1.18, _reach(figure) * 0.86, 1e-6)
     return Framing((float(centre[0]), float(centre[1]), float(centre[2])), half_extent)
-
-
-def bounds(figure: Figure, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the lowest and highest world coordinates (3,), (3,) of a pose's volumes and limb ends."""
-    arrays = figure.arrays
-    placement = place_pose(figure, pose)
-    corners = _volume_corners(figure)
-    limbs = np.concatenate([np.repeat(arrays.volume_limbs, 5), np.arange(len(figure.limbs))])
-    points = np.concatenate([corners.reshape(-1, 3), arrays.ends])
-    radii = np.concatenate([np.repeat(arrays.volume_radii, 5), np.zeros(len(figure.limbs))])
-    world = placement.origins[limbs] + np.einsum("kij,kj->ki", placement.limb_to_world[limbs], points)
-    return (world - radii[:, None]).min(axis=0), (world + radii[:, None]).max(axis=0)
-
-
-def _volume_corners(figure: Figure) -> NDArray[np.float64]:
-    """Return (v, 5, 3): the four points of each volume and the corner of a cube opposite its first."""
-    points = figure.arrays.volume_points
-    far = points[:, 1] + points[:, 2] + points[:, 3] - 2 * points[:, 0]
-    cube = figure.arrays.volume_kinds == 3
-    last = np.where(cube[:, None], far, points[:, 3])
-    return np.concatenate([points, last[:, None]], axis=1)
 
 
 def _reach(figure: Figure) -> float:

@@ -29,11 +29,12 @@ def place(figure: Figure, angles: Floats, translations: Floats) -> Placement:
 
     Args:
         figure: the figure with n limbs.
-        angles: (..., n, 3) flexion, pivot, twist in degrees.
+        angles: (..., n, 3) flexion, pivot, twist in degrees; values of missing degrees of freedom turn nothing.
         translations: (..., 3) root translation in figure units.
     """
     arrays = figure.arrays
-    local = arrays.frames @ rotations(angles) @ np.swapaxes(arrays.frames, -1, -2)
+    turning = rotations(np.where(turns(figure), angles, 0.0))
+    local = arrays.frames @ turning @ np.swapaxes(arrays.frames, -1, -2)
     limb_to_world = np.empty_like(local)
     origins = np.empty((*local.shape[:-2], 3))
     for limb, parent in enumerate(arrays.parents):
@@ -47,14 +48,30 @@ def place(figure: Figure, angles: Floats, translations: Floats) -> Placement:
     return Placement(limb_to_world, origins)
 
 
+def turns(figure: Figure) -> NDArray[np.bool_]:
+    """Return which angles turn anything, (n, 3): the declared degrees of freedom, and all three of the root."""
+    answer = figure.arrays.has_dof.copy()
+    answer[0] = True
+    return answer
+
+
 def place_pose(figure: Figure, pose: Pose) -> Placement:
     """Return the placement of one pose: (n, 3, 3) rotations and (n, 3) origins."""
     return place(figure, pose.angles, pose.translation)
 
 
+def limb_begins(figure: Figure, placement: Placement) -> Floats:
+    """Return world positions (..., n, 3) of where the limbs' segments begin."""
+    return _in_world(placement, figure.arrays.begins)
+
+
 def limb_ends(figure: Figure, placement: Placement) -> Floats:
     """Return world positions (..., n, 3) of the limb tips."""
-    turned = np.einsum("...nij,nj->...ni", placement.limb_to_world, figure.arrays.ends)
+    return _in_world(placement, figure.arrays.ends)
+
+
+def _in_world(placement: Placement, points: Floats) -> Floats:
+    turned = np.einsum("...nij,nj->...ni", placement.limb_to_world, points)
     return np.asarray(placement.origins + turned)
 
 

@@ -11,33 +11,44 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 DECIMALS = 6
+_UNITS = 10**DECIMALS  # committed angles are whole numbers of these per degree
+_STRAIGHT = 180 * _UNITS
 
 
 def half_vector(flexion: ArrayLike, pivot: ArrayLike) -> Floats:
     """Return unit half vectors (..., 3) for flexion and pivot in degrees, |flexion| + |pivot| <= 180.
 
-    h = (sin f/2, sqrt(cos((f+p)/2) cos((f-p)/2)), sin p/2); the product form of 1 - sin^2 - sin^2 keeps its digits
-    near the equator.
+    h = (sin f/2, sqrt(cos((f+p)/2) cos((f-p)/2)), sin p/2). The product form of 1 - sin^2 - sin^2, with each cosine
+    taken as the sine of the angle that is left to 180 degrees, keeps its digits up to the equator.
     """
-    f = np.radians(np.asarray(flexion, dtype=np.float64)) / 2
-    p = np.radians(np.asarray(pivot, dtype=np.float64)) / 2
-    height = np.sqrt(np.maximum(np.cos(f + p) * np.cos(f - p), 0.0))
-    return np.stack([np.sin(f), height, np.sin(p)], axis=-1)
+    f, p = np.asarray(flexion, dtype=np.float64), np.asarray(pivot, dtype=np.float64)
+    height = np.sqrt(_sine_of_half(_left(f + p)) * _sine_of_half(_left(f - p)))
+    return np.stack([_sine_of_half(f), height, _sine_of_half(p)], axis=-1)
+
+
+def _sine_of_half(degrees: Floats) -> Floats:
+    return np.asarray(np.sin(np.radians(degrees) / 2))
+
+
+def _left(degrees: Floats) -> Floats:
+    return np.asarray(np.maximum(180.0 - np.abs(degrees), 0.0))
 
 
 def swing_angles(half: ArrayLike) -> tuple[Floats, Floats]:
-    """Return (flexion, pivot) in degrees, each (...,), of unit half vectors (..., 3) on the upper hemisphere."""
-    h = np.asarray(half, dtype=np.float64)
-    flexion = np.degrees(2 * np.arcsin(np.clip(h[..., 0], -1, 1)))
-    pivot = np.degrees(2 * np.arcsin(np.clip(h[..., 2], -1, 1)))
-    return flexion, pivot
+    """Return (flexion, pivot) in degrees, each (...,), of half vectors (..., 3) on the upper hemisphere.
+
+    2 asin h.x and 2 asin h.z, by the arc tangent because the arc sine loses half its digits near 180 degrees.
+    """
+    x, y, z = np.moveaxis(np.asarray(half, dtype=np.float64), -1, 0)
+    flexion = 2 * np.arctan2(x, np.hypot(y, z))
+    pivot = 2 * np.arctan2(z, np.hypot(x, y))
+    return np.degrees(flexion), np.degrees(pivot)
 
 
 def half_distance(a: ArrayLike, b: ArrayLike) -> Floats:
     """Return min(|a - b|, |a + b|) of half vectors (..., 3): on the equator h and -h are one rotation."""
     u, v = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
-    nearer: Floats = np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
-    return nearer
+    return np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
 
 
 def rotations(angles: ArrayLike) -> Floats:
@@ -95,22 +106,32 @@ def canonical(angles: ArrayLike) -> Floats:
     values = np.array(angles, dtype=np.float64).reshape(-1, 3)
     if not np.isfinite(values).all():
         raise ValueError("a joint angle is not a finite number")
-    total = np.abs(values[:, 0]) + np.abs(values[:, 1])
-    outside = total > 180.0
-    values[outside, :2] *= (180.0 / total[outside])[:, None]
+    _clamp_swing(values[:, :2])
     values[:, 2] = 180.0 - np.mod(180.0 - values[:, 2], 360.0)
-    values = np.round(values, DECIMALS)
-    values[values[:, 2] == -180.0, 2] = 180.0
-    _pull_inside(values)
-    boundary = np.abs(values[:, 0]) + np.abs(values[:, 1]) == 180.0
-    lower = (values[:, 1] < 0) | ((values[:, 1] == 0) & (values[:, 0] < 0))
-    values[boundary & lower, :2] *= -1.0
-    return values + 0.0
+    # Whole numbers from here: on the boundary the sum of two rounded angles must be 180 exactly, or not at all.
+    units = np.rint(values * _UNITS).astype(np.int64)
+    units[units[:, 2] == -_STRAIGHT, 2] = _STRAIGHT
+    _pull_inside(units[:, :2])
+    flexion, pivot = units[:, 0], units[:, 1]
+    boundary = np.abs(flexion) + np.abs(pivot) == _STRAIGHT
+    lower = (pivot < 0) | ((pivot == 0) & (flexion < 0))
+    units[boundary & lower, :2] *= -1
+    return units / _UNITS
 
 
-def _pull_inside(values: Floats) -> None:
-    """Take the last rounded digit off the larger swing angle where rounding stepped over the boundary."""
-    for row in np.flatnonzero(np.abs(values[:, 0]) + np.abs(values[:, 1]) > 180.0):
-        column = int(np.argmax(np.abs(values[row, :2])))
-        other = abs(values[row, 1 - column])
-        values[row, column] = np.copysign(np.round(180.0 - other, DECIMALS), values[row, column])
+def _clamp_swing(swings: Floats) -> None:
+    """Shrink (n, 2) flexion and pivot onto |f| + |p| <= 180 in place, along the line to rest."""
+    largest = np.maximum(np.abs(swings).max(axis=1), 180.0)[:, None]
+    unit = swings / largest  # the sum of two huge numbers would overflow
+    total = np.abs(unit).sum(axis=1, keepdims=True)
+    outside = total * largest > 180.0
+    swings[:] = np.where(outside, unit * (180.0 / np.where(outside, total, 1.0)), swings)
+
+
+def _pull_inside(swings: NDArray[np.int64]) -> None:
+    """Take the excess off the larger swing angle in place where rounding stepped over the boundary."""
+    sizes = np.abs(swings)
+    excess = np.maximum(sizes.sum(axis=1) - _STRAIGHT, 0)
+    rows = np.arange(len(swings))
+    larger = sizes.argmax(axis=1)
+    swings[rows, larger] -= np.sign(swings[rows, larger]) * excess

@@ -33,10 +33,7 @@ class Pose:
         Raises:
             ValueError: a number is not finite.
         """
-        moved = np.round(np.array(translation, dtype=np.float64).reshape(3), DECIMALS) + 0.0
-        if not np.isfinite(moved).all():
-            raise ValueError("a root coordinate is not a finite number")
-        return _frozen(canonical(angles), moved)
+        return _frozen(canonical(angles), _rounded(np.array(translation, dtype=np.float64).reshape(3)))
 
     @staticmethod
     def rest(figure: Figure) -> Pose:
@@ -68,6 +65,14 @@ class Pose:
 
     def __hash__(self) -> int:
         return hash((self.angles.tobytes(), self.translation.tobytes()))
+
+
+def _rounded(translation: Floats) -> Floats:
+    if not np.isfinite(translation).all():
+        raise ValueError("a root coordinate is not a finite number")
+    if np.abs(translation).max() > 1e9:  # no digits of 1e-6 are left, and scaling for the rounding could overflow
+        return translation
+    return np.asarray(np.round(translation, DECIMALS) + 0.0)
 
 
 def _frozen(angles: Floats, translation: Floats) -> Pose:

@@ -2,35 +2,66 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
+from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.swing import angles_of, canonical, rotations
 from layfigure.poses.pose import Pose
+
+_MIRROR = np.diag([-1.0, 1.0, 1.0])
 
 
 def flipped(figure: Figure, pose: Pose) -> Pose:
-    """Return the pose mirrored across the plane x = 0 of the root.
+    """Return the pose mirrored across the plane x = 0 of the root; flipping twice gives the same bits.
 
-    Twins exchange their angles as they are (a mirrored limb mirrors the sense, posing.md 1); a limb without a twin
-    has its rotation reflected through its own frame. The root keeps its place with x negated.
+    Twins exchange their angles as they are (a mirrored limb mirrors the sense, posing.md 1); a limb in the middle has
+    the signs of its angles changed. The root keeps its place with x negated.
     """
-    twins = [limb.twin for limb in figure.limbs]
-    angles = pose.angles[twins]
-    single = [limb.index for limb in figure.limbs if limb.twin == limb.index]
-    frames = figure.arrays.frames[single]
-    mirror = np.diag([-1.0, 1.0, 1.0])
-    in_limb = frames @ rotations(pose.angles[single]) @ np.swapaxes(frames, -1, -2)
-    back = np.swapaxes(frames, -1, -2) @ (mirror @ in_limb @ mirror) @ frames
-    angles[single] = canonical(_snap(angles_of(back), pose.angles[single]))
-    return Pose.of(angles, pose.translation * [-1.0, 1.0, 1.0])
+    partners, signs = _mirror_map(figure)
+    return Pose.of(pose.angles[partners] * signs, pose.translation * [-1.0, 1.0, 1.0])
 
 
-def _snap(reflected: np.ndarray, original: np.ndarray) -> np.ndarray:
-    """Give every angle the exact size of its source: a reflection only changes signs of swing and twist.
+@lru_cache(maxsize=16)
+def _mirror_map(figure: Figure) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Return each limb's mirror image across x = 0 (n,) and the signs (n, 3) its angles take in the image.
 
-    Computing signs through matrices but sizes from the source makes flipping twice the identity to the last bit.
+    A rotation R of the image reads N R N in the limb's canonical space, where N = diag(s) is the mirror seen from
+    there. It takes the direction D to s1 N D, and the twist about +Y to one about det(N) s1 Y.
     """
-    same_sign = np.sign(np.round(reflected, 3)) * np.abs(original)
-    matches = np.abs(same_sign - reflected) < 1e-3
-    return np.where(matches, same_sign, reflected)
+    partners: list[int] = []
+    signs = np.ones((len(figure.limbs), 3))
+    frames = figure.arrays.frames
+    for limb in figure.limbs:
+        partner = _partner(figure, limb.index, partners)
+        partners.append(partner)
+        s = np.diag(frames[limb.index].T @ _MIRROR @ frames[partner])
+        signs[limb.index] = (s[0] * s[1], s[1] * s[2], s[0] * s[2])
+    return np.array(partners), signs
+
+
+def _partner(figure: Figure, index: int, partners: list[int]) -> int:
+    """Return the limb whose rest stands where the limb's mirror image would: its twin, itself, or one like a twin.
+
+    ``partners`` are those of the limbs before this one; partners always have each other. A limb that nothing mirrors,
+    because the figure is not symmetric, stands for itself.
+    """
+    limbs, frames = figure.limbs, figure.arrays.frames
+    if index in partners:
+        return partners.index(index)
+    if index == 0:
+        return 0
+    opposite = partners[limbs[index].parent]
+    free = [other.index for other in limbs[index:] if other.parent == opposite and other.index not in partners]
+    for candidate in sorted(free, key=lambda other: (other != limbs[index].twin, other != index)):
+        seen = frames[index].T @ _MIRROR @ frames[candidate]
+        turned_alike = bool((np.abs(np.diag(seen)) == 1.0).all())
+        if turned_alike and np.allclose(_rest(figure, candidate), _rest(figure, index) @ _MIRROR):
+            return candidate
+    return index
+
+
+def _rest(figure: Figure, index: int) -> NDArray[np.float64]:
+    arrays = figure.arrays
+    return np.stack([arrays.offsets[index], arrays.begins[index], arrays.ends[index]])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,18 +11,36 @@ from layfigure.drawing.render_list import Look, RenderList, Target
 from layfigure.errors import LayfigureError
 from layfigure_plugins.raster.ground import set_stage
 from layfigure_plugins.raster.kernels.backdrop import paint_backdrops
+from layfigure_plugins.raster.kernels.set_up import COLUMNS, set_up_views
 from layfigure_plugins.raster.kernels.volumes import draw_volumes
-from layfigure_plugins.raster.shading import light_vectors, shade
+from layfigure_plugins.raster.shading import shade
 
 _TILE_KEYS = 1 << 16  # 256 KiB: a band of keys that stays in the processor's second cache
-_ROW_SLACK = 64
+_SLACK = 64  # keys that a row of the tile may need beyond the view
+
+
+class Records(NamedTuple):
+    """What set-up writes and drawing reads; :func:`layfigure_plugins.raster.kernels.set_up.set_up_views` explains."""
+
+    records: NDArray[np.float64]
+    spans: NDArray[np.int32]
+    marks: NDArray[np.int32]
+    starts: NDArray[np.int64]
+
+    @staticmethod
+    def room(primitives: int, views: int) -> Records:
+        """Return unwritten records that have room for so many primitives in so many views."""
+        rows = 3 * primitives + 1
+        spans, marks = np.empty((rows, 4), dtype=np.int32), np.empty((rows, 2), dtype=np.int32)
+        return Records(np.empty((rows, COLUMNS)), spans, marks, np.empty(views + 1, dtype=np.int64))
 
 
 class RasterRenderer:
     """Draws a render list as shaded solids. It keeps scratch memory, so use one renderer per thread."""
 
     def __init__(self) -> None:
-        self._scratch = np.zeros(_TILE_KEYS, dtype=np.int32)
+        self._records = Records.room(0, 0)
+        self._keys = np.zeros(_TILE_KEYS, dtype=np.int32)
 
     def draw(self, render_list: RenderList, target: Target, look: Look) -> None:
         """Fill every view's rectangle of ``target``, cut to the target, with background, floor and primitives.
@@ -30,23 +50,24 @@ class RasterRenderer:
         """
         if not len(render_list.rectangles) or not target.pixels.size:
             return
-        flat, pitch = _flattened(target.pixels)
+        pixels, pitch = _flattened(target.pixels)
         visible = _cut(render_list.rectangles, target.pixels.shape)
-        points, radii = np.ascontiguousarray(render_list.points), np.ascontiguousarray(render_list.radii)
-        slices, kinds = np.ascontiguousarray(render_list.slices), np.ascontiguousarray(render_list.kinds)
-        paint_backdrops(visible, slices, kinds, points, radii, *set_stage(render_list, look), flat, pitch)
-        samples = 2 if look.antialias else 1
+        listed = (render_list.slices, render_list.kinds, render_list.points, render_list.radii)
+        primitives = tuple(np.ascontiguousarray(array) for array in listed)
         shading = shade(render_list, look)
-        lights = light_vectors(render_list.rotations, look)
-        scratch = self._room(samples * (samples * int(visible[:, 2].max()) + _ROW_SLACK))
-        colours = (shading.codes, lights, shading.tables, shading.table_of_view)
-        draw_volumes(visible, slices, kinds, points, radii, *colours, samples, scratch, flat, pitch)
+        samples = 2 if look.antialias else 1
+        self._make_room(len(render_list.kinds), len(visible), samples * (samples * int(visible[:, 2].max()) + _SLACK))
+        paint_backdrops(visible, *primitives, *set_stage(render_list, look), pixels, pitch)
+        set_up_views(visible, *primitives, shading.codes, shading.lights, samples, *self._records)
+        colours = (shading.tables, shading.table_of_view)
+        draw_volumes(visible, *self._records, *colours, samples, self._keys, pixels, pitch)
 
-    def _room(self, keys: int) -> NDArray[np.int32]:
-        """Return zeroed scratch memory for at least that many keys."""
-        if len(self._scratch) < keys:
-            self._scratch = np.zeros(keys, dtype=np.int32)
-        return self._scratch
+    def _make_room(self, primitives: int, views: int, keys: int) -> None:
+        """Grow the scratch memory where it is too small; keys are zero between pictures."""
+        if len(self._records.records) < 3 * primitives + 1 or len(self._records.starts) < views + 1:
+            self._records = Records.room(primitives, views)
+        if len(self._keys) < keys:
+            self._keys = np.zeros(keys, dtype=np.int32)
 
 
 def _flattened(pixels: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], int]:

@@ -23,9 +23,13 @@ _GREY = np.array([0.2126, 0.7152, 0.0722])  # luminance, ITU-R BT.709
 
 
 class Shading(NamedTuple):
-    """``codes`` (k,) uint8 names each primitive's ramp; view v looks it up in ``tables[table_of_view[v]]``."""
+    """``codes`` (k,) uint8 names each primitive's ramp; view v looks it up in ``tables[table_of_view[v]]``.
+
+    ``lights`` is (m, 4), see :func:`light_vectors`.
+    """
 
     codes: NDArray[np.uint8]
+    lights: NDArray[np.float32]
     tables: NDArray[np.uint32]  # (t, RAMPS * SHADES)
     table_of_view: NDArray[np.int64]
 
@@ -50,7 +54,7 @@ def light_vectors(rotations: NDArray[np.float32], look: Look) -> NDArray[np.floa
 
 
 def shade(render_list: RenderList, look: Look) -> Shading:
-    """Return which ramp each primitive has, and the ramps.
+    """Return which ramp each primitive has, the ramps, and the lights.
 
     Raises:
         LayfigureError: there are more combinations of colour and style than a key can tell apart.
@@ -65,7 +69,8 @@ def shade(render_list: RenderList, look: Look) -> Shading:
         raise LayfigureError(f"the picture has {len(used)} colours and highlights; use at most {RAMPS} in one figure")
     backgrounds, table_of_view = _distinct_rows(render_list.backgrounds)
     tables = _tables(render_list.palette.tobytes(), used.tobytes(), backgrounds, look.hemisphere)
-    return Shading(codes.astype(np.uint8), tables, table_of_view)
+    lights = light_vectors(render_list.rotations, look)
+    return Shading(codes.astype(np.uint8), lights, tables, table_of_view)
 
 
 def _distinct_rows(backgrounds: NDArray[np.uint8]) -> tuple[bytes, NDArray[np.int64]]:
@@ -87,9 +92,9 @@ def _tables(palette: bytes, used: bytes, backgrounds: bytes, hemisphere: bool) -
     for table, background in zip(tables, behind, strict=True):
         for ramp, (style, colour) in enumerate(zip(styles, colours, strict=True)):
             table[ramp] = pack(styled(normal[colour], Style(style), background))
-    tables = tables.reshape(len(behind), -1)
-    tables.flags.writeable = False
-    return tables
+    packed = tables.reshape(len(behind), -1)
+    packed.flags.writeable = False
+    return packed
 
 
 def ramps(base: Floats, hemisphere: bool) -> Floats:
@@ -126,7 +131,7 @@ def styled(ramp: Floats, style: Style, background: Floats) -> Floats:
 def pack(colours: Floats) -> NDArray[np.uint32]:
     """Return 0x00RRGGBB of colours (..., 3) in 0..255."""
     rgb = np.clip(np.rint(colours), 0, 255).astype(np.uint32)
-    return rgb[..., 0] << 16 | rgb[..., 1] << 8 | rgb[..., 2]
+    return np.asarray(rgb[..., 0] << 16 | rgb[..., 1] << 8 | rgb[..., 2], dtype=np.uint32)
 
 
 def _mix(colours: Floats, other: Floats, share: float | Floats) -> Floats:

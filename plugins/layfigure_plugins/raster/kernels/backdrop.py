@@ -5,7 +5,13 @@ floor, small and dark where it touches. Blobs add up like optical depth, so over
 All of it is cheap enough to be painted anew each time; nothing is cached and nothing can be stale.
 """
 
+# mypy: disable-error-code="operator,arg-type,type-var,call-overload,no-any-return"
+# (min and max of scalars mean something narrower to numba than to the type stubs)
+
 from __future__ import annotations
+
+import math
+from typing import Any
 
 import numpy as np
 from numba import types
@@ -23,7 +29,7 @@ _MOST_BLOBS = 8  # under one primitive
 
 
 @jit()
-def _fill(frame, visible, gradient, pixels, pitch):
+def _fill(frame: Any, visible: Any, gradient: Any, pixels: Any, pitch: int) -> None:
     """Fill the visible part of a view with its gradient."""
     for y in range(visible[1], visible[1] + visible[3]):
         along = (y - frame[1] + 0.5) / frame[3]
@@ -36,7 +42,7 @@ def _fill(frame, visible, gradient, pixels, pitch):
 
 
 @jit()
-def _capsule(kind, points, radius, ends):
+def _capsule(kind: int, points: Any, radius: float, ends: Any) -> float:
     """Put the middle line of a primitive into ``ends`` (2, 3); return how thick it is."""
     if kind != CUBE:
         other = points[0] if kind == SPHERE else points[1]
@@ -44,7 +50,7 @@ def _capsule(kind, points, radius, ends):
         return np.float64(radius)
     sizes = np.empty(3)
     for edge in range(3):
-        sizes[edge] = np.sqrt(np.sum((points[edge + 1] - points[0]) ** 2))
+        sizes[edge] = math.sqrt(np.sum((points[edge + 1] - points[0]) ** 2))
     longest = np.argmax(sizes)
     thickness = (np.sum(sizes) - sizes[longest]) / 4
     inset = min(thickness / max(sizes[longest], 1e-9), 0.5)
@@ -57,7 +63,7 @@ def _capsule(kind, points, radius, ends):
 
 
 @jit()
-def _cast(kinds, points, radii, plane, blobs):
+def _cast(kinds: Any, points: Any, radii: Any, plane: Any, blobs: Any) -> int:
     """Fill ``blobs`` (n, 8) centre x, y, inverse radius, foreshortening, weight and half-sizes; return how many."""
     ax, ay, rx, ry, squash, steep, lift = plane[3], plane[4], plane[5], plane[6], plane[7], plane[8], plane[9]
     ends, on_floor = np.empty((2, 3)), np.empty((2, 3))
@@ -68,7 +74,7 @@ def _cast(kinds, points, radii, plane, blobs):
             x, y, z = ends[end, 0] - plane[0], ends[end, 1] - plane[1], ends[end, 2] - plane[2]
             along = x * rx + y * ry
             on_floor[end] = x * ax + y * ay, z * steep - along * lift, along * steep + z * lift
-        run = np.hypot(on_floor[1, 0] - on_floor[0, 0], on_floor[1, 1] - on_floor[0, 1])
+        run = math.hypot(on_floor[1, 0] - on_floor[0, 0], on_floor[1, 1] - on_floor[0, 1])
         if not thickness > 0.0 or not run < 1e6:
             continue
         steps = 1 + min(np.int64(run / thickness), _MOST_BLOBS - 1)
@@ -86,14 +92,14 @@ def _cast(kinds, points, radii, plane, blobs):
             blobs[count, 0] = plane[0] + across * ax + away * squash * rx
             blobs[count, 1] = plane[1] + across * ay + away * squash * ry
             blobs[count, 2], blobs[count, 3], blobs[count, 4] = 1.0 / radius, 1.0 / (flat * radius), weight
-            blobs[count, 5] = radius * np.sqrt(ax * ax + flat * flat * rx * rx)
-            blobs[count, 6] = radius * np.sqrt(ay * ay + flat * flat * ry * ry)
+            blobs[count, 5] = radius * math.sqrt(ax * ax + flat * flat * rx * rx)
+            blobs[count, 6] = radius * math.sqrt(ay * ay + flat * flat * ry * ry)
             count += 1
     return count
 
 
 @jit()
-def _splat(blob, plane, left, top, depth):
+def _splat(blob: Any, plane: Any, left: int, top: int, depth: Any) -> None:
     """Add a blob to the shadow's optical depth, an array of pixels whose corner is at left, top."""
     ax, ay, rx, ry = f(plane[3]), f(plane[4]), f(plane[5]), f(plane[6])
     wide, tall, weight = f(blob[2]), f(blob[3]), f(blob[4])
@@ -118,7 +124,7 @@ def _splat(blob, plane, left, top, depth):
 
 
 @jit()
-def _lay_floor(plane, tints, darkness, below, x, y, depth, out):
+def _lay_floor(plane: Any, tints: Any, darkness: float, below: Any, x: float, y: float, depth: Any, out: Any) -> None:
     """Paint a row of floor over the background colour ``below`` (3,); x, y is the centre of its first pixel."""
     squash, cells = plane[7], plane[10]
     xx = f((plane[11] * plane[3] + plane[12] * plane[5] / squash) * cells)
@@ -128,7 +134,7 @@ def _lay_floor(plane, tints, darkness, below, x, y, depth, out):
     dx, dy = f(x - plane[0]), f(y - plane[1])
     x0, z0 = xx * dx + xy * dy, zx * dx + zy * dy
     reach = f(1.0 / (plane[13] * cells) ** 2)
-    x_steep, z_steep = max(np.hypot(xx, xy), f(1e-6)), max(np.hypot(zx, zy), f(1e-6))
+    x_steep, z_steep = max(math.hypot(xx, xy), f(1e-6)), max(math.hypot(zx, zy), f(1e-6))
     x_pixels, z_pixels = f(1) / x_steep, f(1) / z_steep
     x_ink, z_ink = min(x_pixels / f(6), f(1)), min(z_pixels / f(6), f(1))  # dense lines would be a grey smear
     half = f(0.8 + 0.0006 * plane[13])
@@ -141,8 +147,8 @@ def _lay_floor(plane, tints, darkness, below, x, y, depth, out):
         cx, cz = x0 + step * xx, z0 + step * zx
         fade = max(f(1) - (cx * cx + cz * cz) * reach, f(0))
         fade *= fade
-        x_line = min(max(half - abs(cx - np.floor(cx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
-        z_line = min(max(half - abs(cz - np.floor(cz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
+        x_line = min(max(half - abs(cx - math.floor(cx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
+        z_line = min(max(half - abs(cz - math.floor(cz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
         line = max(x_line, z_line) * fade
         lit = f(1) - dark * depth[i] / (f(1) + depth[i])
         red = np.uint32(np.int32((r + pool_r * fade + grid_r * line) * lit + f(0.5)))
@@ -152,11 +158,22 @@ def _lay_floor(plane, tints, darkness, below, x, y, depth, out):
 
 
 @jit()
-def _paint_floor(frame, visible, primitives, gradient, plane, tints, darkness, buffers, pixels, pitch):
+def _paint_floor(
+    frame: Any,
+    visible: Any,
+    primitives: Any,
+    gradient: Any,
+    plane: Any,
+    tints: Any,
+    darkness: float,
+    buffers: Any,
+    pixels: Any,
+    pitch: int,
+) -> None:
     """Paint the lit part of the floor, an ellipse round the anchor, in bands of rows."""
     blobs, shadow = buffers
-    wide = plane[13] * np.hypot(plane[3], plane[7] * plane[5])
-    tall = plane[13] * np.hypot(plane[4], plane[7] * plane[6])
+    wide = plane[13] * math.hypot(plane[3], plane[7] * plane[5])
+    tall = plane[13] * math.hypot(plane[4], plane[7] * plane[6])
     left = np.int64(max(plane[0] - wide, visible[0]))
     right = np.int64(min(plane[0] + wide + 1.0, visible[0] + visible[2]))
     top = np.int64(max(plane[1] - tall, visible[1]))
@@ -175,7 +192,8 @@ def _paint_floor(frame, visible, primitives, gradient, plane, tints, darkness, b
             _splat(blobs[blob], plane, left, top, depth)
         for y in range(rows):
             along = (top + y - frame[1] + 0.5) / frame[3]
-            below[:] = gradient[0] + (gradient[1] - gradient[0]) * along
+            for channel in range(3):
+                below[channel] = gradient[0, channel] + (gradient[1, channel] - gradient[0, channel]) * along
             at = (top + y) * pitch
             _lay_floor(
                 plane, tints, darkness, below, left + 0.5, top + y + 0.5, depth[y], pixels[at + left : at + right]
@@ -198,8 +216,19 @@ _INPUTS = (
 
 @jit(types.void(*_INPUTS, types.float64, types.uint32[::1], types.int64))
 def paint_backdrops(
-    rectangles, slices, kinds, points, radii, frames, gradients, planes, tints, darkness, pixels, pitch
-):
+    rectangles: Any,
+    slices: Any,
+    kinds: Any,
+    points: Any,
+    radii: Any,
+    frames: Any,
+    gradients: Any,
+    planes: Any,
+    tints: Any,
+    darkness: float,
+    pixels: Any,
+    pitch: int,
+) -> None:
     """Fill the rectangles of all m views.
 
     Args:
