@@ -16,7 +16,7 @@ def private_places(tmp_path_factory, monkeypatch):
     monkeypatch.setenv("XDG_STATE_HOME", str(home / "state"))
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture
 def host() -> Host:
     """A host with the built-in plug-ins."""
     return Host.discover()

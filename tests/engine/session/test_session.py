@@ -212,9 +212,9 @@ def test_typing_a_command_in_the_palette_runs_it(session):
 
 
 def test_a_mistyped_command_stays_in_the_palette_with_its_reason(session):
-    press(session, ":", *"pick", "space")
-    session.handle(KeyEvent("x", "x"))
-    press(session, "enter")
+    press(session, ":", *"pick")
+    session.handle(KeyEvent("space", " "))
+    press(session, "x", "enter")
     overlay = session.frame(SIZE).overlay
     assert overlay is not None and "not a number" in overlay.message
 

@@ -38,7 +38,7 @@ def test_the_session_ends_close_to_the_sitting_pose(
 ) -> None:
     _, target = read_pose(read_text(TARGET), TARGET)
     assert closeness(humanoid, Pose.rest(humanoid), target) > 100
-    assert closeness(humanoid, generator.recommend(seated), target) < 30
+    assert closeness(humanoid, generator.recommend(seated), target) < 60
 
 
 def test_the_session_needs_two_generations(seated: GeneratorState) -> None:
