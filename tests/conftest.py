@@ -1,6 +1,7 @@
 """What many tests need: a private home, the humanoid, and a session on it."""
 
 import pytest
+
 from layfigure.configuration import load_bindings
 from layfigure.plugins.host import Host
 from layfigure.session.document import Document
@@ -25,7 +26,5 @@ def host() -> Host:
 @pytest.fixture
 def session(host, tmp_path) -> Session:
     """A session on the humanoid that draws with sticks and writes into a temporary folder."""
-    options = SessionOptions(
-        frontend="sdl", bindings=load_bindings(host, "layfigure"), folder=tmp_path, compiled=False
-    )
+    options = SessionOptions(frontend="sdl", bindings=load_bindings(host, "layfigure"), folder=tmp_path, compiled=False)
     return Session(host, Document.new(open_figure(host, "humanoid")), options)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
+
 from layfigure.drawing.render_list import Look, RenderList, Style, Target
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.records import Renderer
-from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]
 

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+
 from layfigure.plugins import hookspecs
 from layfigure.plugins.host import Host
 

@@ -8,6 +8,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+
 from layfigure_frontends import command_line
 
 BAD = Path(__file__).resolve().parents[1] / "bad"
@@ -80,7 +81,11 @@ def test_the_program_itself_exits_with_status_two(tmp_path):
     """One run as a real process: what the shell sees."""
     path = BAD / "log" / "unknown-command.log"
     done = subprocess.run(
-        [sys.executable, "-m", "layfigure_frontends", "check", str(path)], capture_output=True, text=True, timeout=60
+        [sys.executable, "-m", "layfigure_frontends", "check", str(path)],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
     )
     assert done.returncode == 2 and done.stdout == ""
     assert done.stderr.count("\n") == 1 and ":4:1: " in done.stderr

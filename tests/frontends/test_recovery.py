@@ -5,7 +5,6 @@ import signal
 import subprocess
 import sys
 
-
 from layfigure.session import journal
 from layfigure.session.document import Document
 from layfigure.session.events import KeyEvent

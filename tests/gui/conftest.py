@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from layfigure import compiled
 from layfigure.session import journal
 from layfigure.session.frame import Frame, Size
 from layfigure.session.session import Session
@@ -167,6 +168,7 @@ class Mirror:
     """The same session in this process: it says where in the window things are."""
 
     def __init__(self, desk: Desk) -> None:
+        compiled.load()
         self._desk = desk
         self.session: Session = open_session(PluginChoice(), "", "sdl")
         self._played = len(desk.log())
@@ -197,8 +199,9 @@ class Mirror:
             if stage.limb_at(pane, x + 0.5, y + 0.5) == limb
         ]
         assert points, f"candidate {candidate + 1} does not show its {name}"
-        middle = np.mean(points, axis=0)
-        return min(points, key=lambda point: float(np.hypot(*(np.array(point) - middle))))
+        shown = np.array(points)
+        neighbours = (np.abs(shown[:, None] - shown).max(axis=2) <= 6).sum(axis=1)
+        return points[int(np.argmax(neighbours))]
 
 
 @pytest.fixture

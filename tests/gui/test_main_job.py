@@ -48,15 +48,16 @@ def test_a_person_assembles_mutates_pages_undoes_turns_asks_and_saves(desk, mirr
     mutated = desk.picture("mutated")
     assert share_changed(standing, mutated) > 0.01
 
-    x, y = places.limb_point(3, "leftthigh")
+    x, y = places.limb_point(3, "leftforearm")
     desk.click(x, y)
-    assert desk.log()[-1].split() == ["pick", "4", "leftthigh"]
+    assert desk.log()[-1].split() == ["pick", "4", "leftforearm"]
     picked = desk.picture("picked")
     assert share_changed(mutated[page], picked[page]) > 0.001, "a pick reaches all candidates"
 
     rows, columns = places.pane(6)
     before = desk.log()
-    desk.drag((columns.start + 3, rows.start + 3), (columns.stop - 3, rows.stop - 3))
+    upper = rows.start + (rows.stop - rows.start) * 11 // 20
+    desk.drag((columns.start + 3, upper), (columns.stop - 3, rows.stop - 3))
     assert len(desk.log()) == len(before) + 1
     assert desk.log()[-1].startswith("pick")
     boxed = desk.picture("rectangle")

@@ -1,7 +1,5 @@
 """The kernel that finds the limb under the pointer: exact rays first, then the nearest shadow on the picture."""
 
-# ruff: noqa: PLR0917 - numbers stay in registers only as arguments of their own
-
 from __future__ import annotations
 
 from typing import Any

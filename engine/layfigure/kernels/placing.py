@@ -1,7 +1,5 @@
 """Kernels that put limbs, and what they are made of, in their places: forward kinematics and render lists."""
 
-# ruff: noqa: PLR0917 - numbers stay in registers only as arguments of their own
-
 from __future__ import annotations
 
 from typing import Any
@@ -124,8 +122,8 @@ def forward_tips(limbs: Any, angles: Any, translations: Any, tips: Any) -> None:
 
 # --- render lists -------------------------------------------------------------------------------------------------
 #
-# ``volumes`` (v, 15): kind, limb, radius, four points in limb coordinates. ``shots`` (m, 15): pose, rectangle (left, top,
-# width, height), zoom, camera rotation. ``framing`` (4,): centre relative to the root, half extent.
+# ``volumes`` (v, 15): kind, limb, radius, four points in limb coordinates. ``shots`` (m, 15): pose, left, top, width,
+# height, zoom, camera rotation row by row. ``framing`` (4,): centre relative to the root, half extent.
 
 
 @jit

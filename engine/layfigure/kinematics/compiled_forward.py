@@ -27,7 +27,7 @@ class ForwardKinematics:
         self._limbs = limb_table(figure).copy()
         self._rotations = np.empty((count, 3, 3))
         self._points = np.empty((2, count, 3))
-        self._tips = self._points[1]
+        self._tips: Floats = self._points[1]
 
     def tips(self, pose: Pose) -> Floats:
         """Return the limbs' tips (n, 3) in world units; the next call overwrites the array."""

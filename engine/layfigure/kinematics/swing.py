@@ -48,7 +48,7 @@ def swing_angles(half: ArrayLike) -> tuple[Floats, Floats]:
 def half_distance(a: ArrayLike, b: ArrayLike) -> Floats:
     """Return min(|a - b|, |a + b|) of half vectors (..., 3): on the equator h and -h are one rotation."""
     u, v = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
-    return np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1))
+    return np.asarray(np.minimum(np.linalg.norm(u - v, axis=-1), np.linalg.norm(u + v, axis=-1)))
 
 
 def rotations(angles: ArrayLike) -> Floats:
@@ -116,7 +116,7 @@ def canonical(angles: ArrayLike) -> Floats:
     boundary = np.abs(flexion) + np.abs(pivot) == _STRAIGHT
     lower = (pivot < 0) | ((pivot == 0) & (flexion < 0))
     units[boundary & lower, :2] *= -1
-    return units / _UNITS
+    return np.asarray(units / _UNITS)
 
 
 def _clamp_swing(swings: Floats) -> None:

@@ -1,6 +1,7 @@
 """One plug-in's fault stays one plug-in's fault."""
 
 import pytest
+
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.discovery import Found, Selection, find_plugins
 from layfigure.plugins.hookspecs import hookimpl
@@ -108,7 +109,7 @@ def test_a_call_that_raises_sets_the_plugin_aside_and_says_who_and_what():
     def draw():
         raise ZeroDivisionError("dry")
 
-    with pytest.raises(PluginError, match="paints .*drawing of chalk"):
+    with pytest.raises(PluginError, match=r"paints .*drawing of chalk"):
         host.call(record, "drawing", draw)
     assert host.renderers == {} and host.plugins == ()
 

@@ -1,6 +1,7 @@
 """Keys are data: the situation decides what a key means."""
 
 import pytest
+
 from layfigure import resources
 from layfigure.errors import LayfigureError
 from layfigure.session.keymap import (

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from layfigure.configuration import load_bindings
 from layfigure.drawing.render_list import new_target
 from layfigure.errors import LayfigureError
@@ -229,7 +230,26 @@ def test_help_shows_every_key_that_works_now(session):
 
 
 def test_the_log_replays_to_the_same_document(session, host):
-    press(session, "3", "tab", "enter", "n", "6", "tab", "enter", "m", "-", "-", "2", "enter", "u", "ctrl+y", "x", "t", "m")
+    press(
+        session,
+        "3",
+        "tab",
+        "enter",
+        "n",
+        "6",
+        "tab",
+        "enter",
+        "m",
+        "-",
+        "-",
+        "2",
+        "enter",
+        "u",
+        "ctrl+y",
+        "x",
+        "t",
+        "m",
+    )
     again = replayed(host, session)
     assert again.document.pose == session.document.pose
     assert again.offer() == session.offer()

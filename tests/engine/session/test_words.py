@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from layfigure.session.words import WordError, join_line, number, split_line, whole_number
 
 

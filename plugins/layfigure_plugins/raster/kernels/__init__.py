@@ -29,7 +29,7 @@ def jit(signature: Any = None) -> Callable[[Callable[..., Any]], Callable[..., A
     An entry point names its signature and is cached with all it calls; the rest is never called from Python, and
     leaving out its wrappers and cache files makes a cold start shorter.
     """
-    return numba.njit(**_INNER) if signature is None else numba.njit(signature, **_ENTRY)  # type: ignore[no-any-return]
+    return numba.njit(**_INNER) if signature is None else numba.njit(signature, **_ENTRY)
 
 
 def read_only(scalar: Any, dimensions: int) -> Any:

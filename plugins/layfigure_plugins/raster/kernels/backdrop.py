@@ -38,24 +38,29 @@ def _fill(frame: Any, visible: Any, gradient: Any, pixels: Any, pitch: int) -> N
             value = gradient[0, channel] + (gradient[1, channel] - gradient[0, channel]) * along
             colour = (colour << np.uint32(8)) | np.uint32(np.int32(value + 0.5))
         at = y * pitch + visible[0]
-        pixels[at : at + visible[2]] = colour
+        for x in range(at, at + visible[2]):
+            pixels[x] = colour
 
 
 @jit()
 def _capsule(kind: int, points: Any, radius: float, ends: Any) -> float:
     """Put the middle line of a primitive into ``ends`` (2, 3); return how thick it is."""
     if kind != CUBE:
-        other = points[0] if kind == SPHERE else points[1]
-        ends[0], ends[1] = points[0], other
+        last = 0 if kind == SPHERE else 1
+        for axis in range(3):
+            ends[0, axis], ends[1, axis] = points[0, axis], points[last, axis]
         return np.float64(radius)
-    sizes = np.empty(3)
-    for edge in range(3):
-        sizes[edge] = math.sqrt(np.sum((points[edge + 1] - points[0]) ** 2))
-    longest = np.argmax(sizes)
-    thickness = (np.sum(sizes) - sizes[longest]) / 4
-    inset = min(thickness / max(sizes[longest], 1e-9), 0.5)
+    longest, length, total = 1, 0.0, 0.0
+    for edge in range(1, 4):
+        x, y, z = points[edge, 0] - points[0, 0], points[edge, 1] - points[0, 1], points[edge, 2] - points[0, 2]
+        size = math.sqrt(x * x + y * y + z * z)
+        total += size
+        if size > length:
+            longest, length = edge, size
+    thickness = (total - length) / 4
+    inset = min(thickness / max(length, 1e-9), 0.5)
     for axis in range(3):
-        centre, span = points[0, axis], points[longest + 1, axis] - points[0, axis]
+        centre, span = points[0, axis], points[longest, axis] - points[0, axis]
         for edge in range(1, 4):
             centre += (points[edge, axis] - points[0, axis]) / 2
         ends[0, axis], ends[1, axis] = centre - span * (0.5 - inset), centre + span * (0.5 - inset)
@@ -147,8 +152,8 @@ def _lay_floor(plane: Any, tints: Any, darkness: float, below: Any, x: float, y:
         cx, cz = x0 + step * xx, z0 + step * zx
         fade = max(f(1) - (cx * cx + cz * cz) * reach, f(0))
         fade *= fade
-        x_line = min(max(half - abs(cx - math.floor(cx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
-        z_line = min(max(half - abs(cz - math.floor(cz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
+        x_line = min(max(half - abs(cx - np.floor(cx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
+        z_line = min(max(half - abs(cz - np.floor(cz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
         line = max(x_line, z_line) * fade
         lit = f(1) - dark * depth[i] / (f(1) + depth[i])
         red = np.uint32(np.int32((r + pool_r * fade + grid_r * line) * lit + f(0.5)))
