@@ -46,9 +46,9 @@ def limbs_inside(figure: Figure, pose: Pose, shot: Shot, rectangle: Rectangle) -
     table[:, 0] = 0.0
     ends = measure(figure, [pose], table).segments[..., :2]
     low = np.array([rectangle.x, rectangle.y])
-    high = low + [rectangle.width, rectangle.height]
-    inside = ((ends >= low) & (ends <= high)).all(axis=(1, 2))
-    return tuple(limb for limb in figure.movable if inside[limb])
+    high = low + np.array([rectangle.width, rectangle.height])
+    inside = np.flatnonzero(((ends >= low) & (ends <= high)).all(axis=(1, 2)))
+    return tuple(limb for limb in figure.movable if limb in inside)
 
 
 def _pick_in_numpy(rows: tuple[NDArray[np.generic], ...], x: float, y: float, tolerance: float) -> int:

@@ -16,7 +16,7 @@ from layfigure.session.frame import Pane, Size
 MARGIN = 12
 GAP = 8
 STATUS = 34
-SMALLEST = (640, 400)
+PANEL = 276  # what a technique's controls need below the working pose
 
 
 class Areas(NamedTuple):
@@ -40,7 +40,7 @@ def areas(size: Size, *, with_page: bool) -> Areas:
     if not with_page:
         return Areas(Rectangle(margin, margin, 0, 0), page, Rectangle(left, margin, column, inner_height), bar)
     heading = round(26 * unit)
-    poser_height = min(heading + round(column / 1.4), inner_height // 2)
+    poser_height = min(heading + round(column / 1.4), max(inner_height - round(PANEL * unit), inner_height // 4))
     poser = Rectangle(left, margin, column, poser_height)
     below = margin + poser_height + round(GAP * unit)
     return Areas(page, poser, Rectangle(left, below, column, size.height - status - margin - below), bar)

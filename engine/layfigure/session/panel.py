@@ -72,6 +72,8 @@ def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Itera
 
 def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:
     for pair in _pairs(actions):
+        if not column.fits(32):
+            return
         for rectangle, action in zip(column.split(2, 32), pair, strict=False):
             yield Button(rectangle, action.title, action.name, key(action.name))
 

@@ -11,7 +11,7 @@ from layfigure_plugins.generator.generator import Generator
 _CONTROLS = (
     Action("mutate", "Mutate", keys=("m",)),
     Action("next", "Next page", keys=("n",), navigates=True),
-    Action("previous", "Previous page", keys=("shift+n", "pageup"), navigates=True),
+    Action("previous", "Previous", keys=("shift+n", "pageup"), navigates=True),
     Action("first", "First page", keys=("f",), navigates=True),
     Slider("intensity", "Intensity", low=0, high=100, step=5, keys=("-", "+")),
     Choice("kind", "Kind", options=((SWING, "Flexion & pivot"), (TWIST, "Twist")), keys=("t",)),
