@@ -52,13 +52,13 @@ def limbs_inside(figure: Figure, pose: Pose, shot: Shot, rectangle: Rectangle) -
 
 
 def _pick_in_numpy(rows: tuple[NDArray[np.generic], ...], x: float, y: float, tolerance: float) -> int:
-    """The first moments' version: volumes as capsules and cubes as their outlines, good to a pixel or two."""
+    """The first moments' version: round volumes as capsules, cubes exactly; good to a few pixels."""
     kinds, points, radii, parts, segments, segment_parts = (np.asarray(row) for row in rows)
     distances, depths = np.empty(len(kinds)), np.empty(len(kinds))
     for k, (kind, corners, radius) in enumerate(zip(kinds, points, radii, strict=True)):
         along, distance = _nearest(corners[0], corners[1] if kind != _SPHERE else corners[0], x, y)
         if kind == _CUBE:
-            distances[k], depths[k] = _cube_distance(corners, x, y), corners[:, 2].mean()
+            distances[k], depths[k] = _cube_distance(corners, x, y), _cube_depth(corners, x, y)
             continue
         reach = radius * (1 - along) if kind == _CONE else radius
         distances[k] = max(distance - reach, 0.0)
@@ -94,3 +94,15 @@ def _cube_distance(corners: Floats, x: float, y: float) -> float:
             normal = np.array([-edge[1], edge[0]]) / length
             worst = max(worst, abs(float(normal @ offset)) - float(np.abs(edges @ normal).sum()) / 2)
     return worst
+
+
+def _cube_depth(corners: Floats, x: float, y: float) -> float:
+    """Return the depth at which the ray through (x, y) enters a cube, by the slabs between its faces."""
+    edges = (corners[1:] - corners[0]).T
+    if abs(np.linalg.det(edges)) < 1e-9:
+        return float(corners[:, 2].mean())
+    inverse = np.linalg.inv(edges)
+    start, step = inverse @ (np.array([x, y, 0.0]) - corners[0]), inverse[:, 2]
+    moving = np.abs(step) > 1e-12
+    crossings = np.sort(np.stack([-start[moving] / step[moving], (1 - start[moving]) / step[moving]]), axis=0)
+    return float(np.max(crossings[0], initial=-np.inf))
