@@ -64,7 +64,7 @@ def _badge(canvas: Canvas, label: Label) -> None:
 
 
 def paint_button(canvas: Canvas, button: Button) -> None:
-    """Paint a button with its key cap at the right."""
+    """Paint a button; its key cap stands at the right if the text leaves room for it."""
     theme, box = canvas.theme, button.rectangle
     hovered = button.enabled and canvas.hovered(box)
     fill = theme.accent_quiet if button.active else theme.hovered if hovered else theme.raised
@@ -72,14 +72,14 @@ def paint_button(canvas: Canvas, button: Button) -> None:
     shapes.rounded(canvas.surface, box, canvas.pixels(RADIUS), fill)
     shapes.border(canvas.surface, box, canvas.pixels(RADIUS), edge, max(canvas.pixels(1), 1))
     padding = canvas.pixels(PADDING)
+    room = box.width - 2 * padding
     cap = canvas.keys_width(button.key)
-    if cap > box.width // 2:
-        cap = 0
-    inner = Rectangle(box.x + padding, box.y, box.width - 2 * padding - (cap + padding // 2 if cap else 0), box.height)
+    beside = room - cap - padding // 2
+    if cap and canvas.width(button.text, TEXT) <= beside:
+        canvas.keys(box.x + box.width - canvas.pixels(PADDING - 3) - cap, box.y + box.height // 2, button.key)
+        room = beside
+    inner = Rectangle(box.x + padding, box.y, room, box.height)
     canvas.text(inner, button.text, TEXT, theme.text if button.enabled else theme.faint)
-    if cap:
-        right = box.x + box.width - canvas.pixels(PADDING - 3)
-        canvas.keys(right - cap, box.y + box.height // 2, button.key)
 
 
 def paint_slider(canvas: Canvas, slider: SliderBar) -> None:
