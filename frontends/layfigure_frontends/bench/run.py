@@ -34,11 +34,11 @@ def print_table(rows: Iterable[Row]) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    table = Table("area", "work", "measured", "target", "peer", "peer / ours", "note", box=None)
+    table = Table("area", "work", "measured", "target", "peer", "peer / ours", "note", box=None, pad_edge=False)
     for row in rows:
         peer = f"{row.peer} {row.peer_value:.3g} {row.unit}" if row.peer_value is not None else row.peer
         ratio = f"{row.ratio:.1f}" if row.ratio is not None else ""
         table.add_row(row.area, row.work, f"{row.value:.3g} {row.unit}", row.target, peer, ratio, row.note)
-    console = Console()
+    console = Console(width=150)
     console.print(f"{platform.machine()} {platform.system()}, Python {platform.python_version()}; medians, one thread")
     console.print(table)
