@@ -6,7 +6,7 @@ from layfigure.drawing.render_list import Rectangle
 from layfigure.session.frame import Frame
 from layfigure_frontends.sdl.canvas import SMALL, TEXT, Canvas
 
-LEAST_STATUS = 0.34  # of the bar's width, kept for the sentence however many hints there are
+LEAST_STATUS = 0.18  # of the bar's width, kept for the sentence however many hints there are
 
 
 def paint_status_bar(canvas: Canvas, frame: Frame, bar: Rectangle) -> None:
