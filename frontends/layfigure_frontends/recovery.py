@@ -43,10 +43,10 @@ class Recovery:
             answers = (("Restore", "y", "restore"), ("Throw it away", "d", "forget"), ("Later", "n", "cancel"))
             self._session.modes.append(QuestionMode(text, answers))
 
-    def close(self) -> None:
-        """End the session in good order; the journal is not needed any more."""
+    def close(self, interrupted: bool = False) -> None:
+        """End the session; the journal is kept for the next start only if the session was interrupted."""
         if self._journal is not None:
-            self._journal.close()
+            self._journal.close(keep=interrupted)
 
     @hookimpl
     def layfigure_commands(self) -> list[Command]:

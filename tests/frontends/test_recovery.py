@@ -133,3 +133,11 @@ def test_restoring_takes_the_figure_of_the_lost_session(host, tmp_path):
     session.handle(KeyEvent("y", "y"))
     assert session.document.figure.name == "juxo"
     recovery.close()
+
+
+def test_an_interrupted_session_is_kept_for_the_next_start(session):
+    recovery = Recovery(session)
+    session.on_closed = recovery.close
+    session.execute("mutate")
+    session.close(interrupted=True)
+    assert len(journal.orphans()) == 1

@@ -77,6 +77,12 @@ def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats
     )
 
 
+def to_pixels(figure: Figure, pose: Pose, shot: Floats, points: Floats) -> Floats:
+    """Return world points (..., 3) of a pose in the pixels of one shot, a row (1, 15) as :func:`measure` takes."""
+    _, lenses, shifts = _lenses(figure, pose.translation[None], shot)
+    return np.asarray(_project(lenses, shifts, points[None])[0])
+
+
 def _lenses(figure: Figure, roots: Floats, shots: Floats) -> tuple[Floats, Floats, Floats]:
     """Return pixels per unit (m,), and world to pixels as matrices (m, 3, 3) and shifts (m, 3)."""
     frame = _frame_row(figure)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from layfigure.figures.build import build_figure
-from layfigure.figures.fig_language import parse_fig
 from layfigure.figures.figure import Figure
-from layfigure.figures.library import load_figure
+from layfigure.figures.library import load_figure, read_figure
 from layfigure.plugins.host import Host
 
 
@@ -17,5 +15,10 @@ def open_figure(host: Host, name: str) -> Figure:
     """
     if name in host.figures:
         source = host.figures[name]
-        return build_figure(source.id, parse_fig(source.fig, f"figure {source.id}"))
+        return read_figure(source.id, source.fig, f"figure {source.id}")
     return load_figure(name)
+
+
+def reference_to(figure: Figure) -> str:
+    """Return what :func:`open_figure` opens the figure by: its name, or the path of its file."""
+    return str(figure.path) if figure.path is not None else figure.name

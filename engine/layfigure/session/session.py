@@ -19,6 +19,7 @@ from layfigure.session.controls import control_command
 from layfigure.session.describing import describe_limbs
 from layfigure.session.document import Document
 from layfigure.session.events import Event
+from layfigure.session.figures import reference_to
 from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
 from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken
@@ -29,7 +30,7 @@ from layfigure.session.stage import Stage
 from layfigure.session.techniques import Option, Workshop
 from layfigure.session.theme import ViewTheme, view_theme
 from layfigure.session.view import ViewState
-from layfigure.session.words import WordError, join_line, split_line
+from layfigure.session.words import WordError, join_line, quoted, split_line
 from layfigure.suggestions import did_you_mean
 from layfigure.techniques.contract import Controls, Offer, PoseSet
 from layfigure.techniques.contract import Event as TechniqueEvent
@@ -65,7 +66,7 @@ class Session:
         self.screenshot_request: Path | None = None
         self.saved_as: Path | None = None
         self.on_logged: Callable[[str], None] = lambda line: None
-        self.on_closed: Callable[[], None] = lambda: None
+        self.on_closed: Callable[[bool], None] = lambda interrupted: None
         self._compiled = self.options.compiled
         self._renderers: dict[str, RendererObject] = {}
         self._stage = Stage(self)
@@ -100,19 +101,22 @@ class Session:
         self.document = self._opened(document)
         self.history = History()
         self.view = replace(self.view, selected=(), hover=None, candidate=0)
-        self.log = header(document.figure.name, self.document.technique or "none")
+        self.log = header(quoted(reference_to(document.figure)), self.document.technique or "none")
 
     def kernels_ready(self) -> None:
         """Say that compiled renderers may be used from now on."""
         self._compiled = True
         self.revision += 1
 
-    def close(self) -> None:
-        """End the session: plug-ins are told, the journal is put away. Once is enough, twice does no harm."""
+    def close(self, *, interrupted: bool = False) -> None:
+        """End the session: plug-ins are told, the journal is put away, or kept for the next start if ``interrupted``.
+
+        Once is enough, twice does no harm.
+        """
         if self.running:
             self.running = False
             self.host.notify("layfigure_session_ending", session=self)
-            self.on_closed()
+            self.on_closed(interrupted)
 
     # --- for commands and scripts ---------------------------------------------------------------------------------
 

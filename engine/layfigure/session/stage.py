@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from layfigure.drawing.camera import FIXED_VIEWS, Camera
+from layfigure.drawing.geometry import to_pixels
 from layfigure.drawing.palette import load_palette
 from layfigure.drawing.picking import limbs_inside, pick
 from layfigure.drawing.render_list import Rectangle, RenderList, Style
-from layfigure.drawing.shots import Colouring, Shot, build_render_list
-from layfigure.errors import ImpossibleError
+from layfigure.drawing.shots import Colouring, Shot, build_render_list, shot_rows
+from layfigure.errors import ImpossibleError, PluginError
 from layfigure.poses.pose import Pose
-from layfigure.session.frame import Frame, Label, Outline, Pane, Size, Widget
+from layfigure.session.frame import Frame, Label, Outline, Pane, Size, Widget, WorldLine
 from layfigure.session.layout import Areas, Column, areas, candidate_views, grid, pane_at, poser_views
 from layfigure.session.panel import PanelText, panel
 from layfigure.techniques.contract import Offer
@@ -63,6 +64,7 @@ class Stage:
             panes=tuple(panes),
             widgets=widgets,
             outlines=(*self._outlines(panes), *session.mode.outlines()),
+            lines=tuple(self._overlay_lines(panes, shots)),
             overlay=session.mode.overlay(),
             status=session.status or offer.note,
             hints=session.hints(),
@@ -118,6 +120,25 @@ class Stage:
         while part > 0 and not figure.limbs[part].movable:
             part = figure.limbs[part].parent
         return part if part > 0 else None
+
+    def _overlay_lines(self, panes: list[Pane], shots: list[Shot]) -> Iterator[WorldLine]:
+        """Yield the lines of the overlays that are on, over every view of the working pose."""
+        session = self._session
+        figure, pose = session.document.figure, session.document.pose
+        for record in [
+            session.host.overlays[key] for key in sorted(session.view.overlays & set(session.host.overlays))
+        ]:
+            try:
+                lines = session.host.call(record, "drawing", lambda record=record: list(record.lines(figure, pose)))
+            except PluginError as error:
+                session.say(str(error))
+                continue
+            for pane in panes:
+                if pane.candidate == WORKING:
+                    ends = np.array([(line.begin, line.end) for line in lines], dtype=np.float64).reshape(-1, 2, 3)
+                    pixels = to_pixels(figure, pose, shot_rows([shots[pane.shot]]), ends)
+                    for ((x1, y1, _), (x2, y2, _)), line in zip(pixels.tolist(), lines, strict=True):
+                        yield WorldLine(x1, y1, x2, y2, line.rgb)
 
     def _colouring(self, poses: int) -> Colouring:
         session = self._session

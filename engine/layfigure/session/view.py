@@ -13,7 +13,8 @@ class ViewState:
     """The camera of the main views, the selection, and what the pointer is over.
 
     ``candidate`` is the 0-based candidate keys act on; ``selected`` the selected limbs, the last being the one that
-    keys walk from; ``hover`` is (candidate, limb) under the pointer, candidate -1 being the working pose.
+    keys walk from; ``hover`` is (candidate, limb) under the pointer, candidate -1 being the working pose; ``overlays``
+    are the plug-ins' overlays that are shown.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -23,3 +24,4 @@ class ViewState:
     renderer: str = ""
     look: Look = RECOMMENDED
     theme: str = "dark"
+    overlays: frozenset[str] = frozenset()

@@ -57,10 +57,13 @@ def split_line(text: str) -> Line | None:
 
 def join_line(name: str, words: Iterable[str]) -> str:
     """Return the command line that :func:`split_line` splits into these words."""
-    return " ".join([name, *(_quoted(word) if _NEEDS_QUOTES.search(word) or not word else word for word in words)])
+    return " ".join([name, *(quoted(word) for word in words)])
 
 
-def _quoted(word: str) -> str:
+def quoted(word: str) -> str:
+    """Return a word as it must stand in a command line, in quotes where it needs them."""
+    if word and not _NEEDS_QUOTES.search(word):
+        return word
     return '"' + word.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 

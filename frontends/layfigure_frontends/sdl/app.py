@@ -54,8 +54,8 @@ class Door(Protocol):
     def kernels_ready(self) -> None:
         """Hear that compiled renderers may be used."""
 
-    def close(self) -> None:
-        """End."""
+    def close(self, *, interrupted: bool = False) -> None:
+        """End; an interrupted session is offered back at the next start."""
 
 
 def run(make_session: Callable[[], Door], options: WindowOptions) -> int:
@@ -72,7 +72,7 @@ def run(make_session: Callable[[], Door], options: WindowOptions) -> int:
         try:
             loop.run()
         finally:
-            session.close()
+            session.close(interrupted=bool(caught))
             loop.end()
     return 128 + caught[0] if caught else 0
 

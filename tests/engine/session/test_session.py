@@ -11,7 +11,7 @@ from layfigure.drawing.render_list import new_target
 from layfigure.errors import LayfigureError
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.host import Host
-from layfigure.plugins.records import Renderer, Technique
+from layfigure.plugins.records import Overlay, OverlayLine, Renderer, Technique
 from layfigure.session.document import Document
 from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure.session.figures import open_figure
@@ -350,6 +350,17 @@ def bringing(**hooks):
 
 def _returning(records):
     return lambda: records
+
+
+def test_an_overlay_draws_over_the_working_pose_when_switched_on():
+    host = Host.discover()
+    axis = OverlayLine((0, -50, 0), (0, 50, 0), (0, 255, 0))
+    host.register(bringing(layfigure_overlays=[Overlay("axis", "Axis", lambda figure, pose: [axis])]), "stranger")
+    session = Session(host, Document.new(open_figure(host, "humanoid")), SessionOptions(compiled=False))
+    assert session.frame(SIZE).lines == ()
+    session.execute("overlay axis")
+    front = session.frame(SIZE).lines[0]
+    assert front.x1 == front.x2 and front.y1 > front.y2 and len(session.frame(SIZE).lines) == 3
 
 
 def test_no_technique_at_all_still_shows_the_pose():

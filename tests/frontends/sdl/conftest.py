@@ -132,7 +132,7 @@ class FakeSession:
         self.ready = True
         self.revision += 1
 
-    def close(self) -> None:
+    def close(self, *, interrupted: bool = False) -> None:
         self.running = False
 
 

@@ -13,6 +13,7 @@ from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import read_pose, write_pose
 from layfigure.session.commands.pose import pose_line
+from layfigure.session.figures import reference_to
 from layfigure.session.picture_file import save_sheet
 from layfigure.session.words import join_line, no_more, required
 
@@ -30,7 +31,7 @@ def _save(session: Session, words: tuple[str, ...]) -> None:
         session.say(f"Saved {path.name}.")
         return
     path = path.with_suffix(".pose")
-    write_text(path, write_pose(figure, pose))
+    write_text(path, write_pose(figure, pose, path.parent))
     session.saved_as = path
     picture = path.with_suffix(".png")
     save_sheet(session, pose, picture)
@@ -66,8 +67,8 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
         session.execute(join_line("figure", [str(path)]))
         return
     figure, pose = _read(session, path)
-    if figure.name != session.document.figure.name:
-        session.execute(join_line("figure", [figure.name]))
+    if reference_to(figure) != reference_to(session.document.figure):
+        session.execute(join_line("figure", [reference_to(figure)]))
     session.execute(pose_line(session, pose))
     session.saved_as = path if path.suffix == ".pose" else None
     session.say(f"Opened {_shown(path)}.")

@@ -84,6 +84,12 @@ def _theme(session: Session, words: tuple[str, ...]) -> None:
     session.view = replace(session.view, theme=name)
 
 
+def _overlay(session: Session, words: tuple[str, ...]) -> None:
+    name = one_of(words, 0, "overlay", session.host.overlays)
+    no_more(words, 1)
+    session.view = replace(session.view, overlays=session.view.overlays ^ {name})
+
+
 COMMANDS = (
     Command("view", "Go to a fixed view", _view, "front|right|left|back|top"),
     Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD"),
@@ -92,5 +98,6 @@ COMMANDS = (
     Command("orbit-mode", "Turn the view by dragging or arrows", _orbit_mode),
     Command("renderer", "Draw with another renderer", _renderer, "RENDERER"),
     Command("look", "Choose how much care a picture takes", _look, "plain|smooth|full"),
+    Command("overlay", "Show or hide a plug-in's overlay", _overlay, "OVERLAY"),
     Command("theme", "Change the colours of the window", _theme, "THEME"),
 )
