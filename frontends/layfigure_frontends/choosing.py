@@ -14,12 +14,15 @@ def choose_frontend(asked: str) -> str:
     """Return "sdl" or "headless" for what was asked.
 
     Raises:
-        LayfigureError: the terminal front end is asked for by name; it is not part of this version.
+        LayfigureError: the terminal front end is asked for by name, which is not part of this version, or a window is
+            asked for where there is no display.
     """
     if asked == "terminal":
         raise LayfigureError("this version has no terminal front end yet; use --frontend sdl or --frontend headless")
     if asked == "auto":
         return "sdl" if has_display() else "headless"
+    if asked == "sdl" and not has_display() and not os.environ.get("SDL_VIDEODRIVER"):
+        raise LayfigureError("there is no display here for a window; set DISPLAY or use --frontend headless")
     return asked
 
 

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import pluggy
 
-from layfigure.errors import LayfigureError, PluginError
+from layfigure.errors import FileError, LayfigureError, PluginError
 from layfigure.plugins import hookspecs
 from layfigure.plugins.discovery import Found, Selection, find_plugins
 from layfigure.plugins.records import (
@@ -133,7 +133,11 @@ class Host:
                 self._ask_one(plugin, name, hook, arguments)
 
     def first(self, hook: str, **arguments: object) -> Exchange | bool | None:
-        """Return the first answer that is not None, asking plug-ins one at a time in order of registration."""
+        """Return the first answer that is not None, asking plug-ins one at a time in order of registration.
+
+        Raises:
+            FileError: as a plug-in raised it (a file that cannot be read or written, nothing is set aside).
+        """
         for name, plugin in self._relay.list_name_plugin():
             answer = self._ask_one(plugin, name, hook, arguments) if plugin is not None else None
             if answer is not None:
@@ -177,6 +181,8 @@ class Host:
         caller = self._relay.subset_hook_caller(hook, remove_plugins=others)
         try:
             answer = caller(**arguments)
+        except FileError:
+            raise
         except Exception as error:
             self._fault(name, f"calling {hook}", error)
             self._set_aside(name)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from layfigure.errors import ImpossibleError, LayfigureError, PluginError
+from layfigure.errors import FileError, ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.discovery import Found, Selection, find_plugins
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.host import Host
@@ -155,6 +155,19 @@ def test_the_first_answer_of_a_file_hook_counts():
     host.register(Reader(None), "declines")
     host.register(Reader(True), "writes")
     assert host.first("layfigure_write", document=None, path=None) is True
+
+
+def test_a_file_that_cannot_be_written_is_the_users_affair_and_sets_nothing_aside():
+    class Writer:
+        @hookimpl
+        def layfigure_write(self, document, path):
+            raise FileError("disk full")
+
+    host = Host()
+    host.register(Writer(), "writes")
+    with pytest.raises(FileError, match="disk full"):
+        host.first("layfigure_write", document=None, path=None)
+    assert host.plugins == ("writes",) and not host.faults
 
 
 def test_built_ins_are_found_through_entry_points_and_can_be_left_out():

@@ -1,0 +1,100 @@
+"""The command line as a shell sees it: what it prints where, and with which status."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def layfigure(*words: str, folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    hidden = ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "SDL_VIDEO_DRIVER")
+    env = {**{key: value for key, value in os.environ.items() if key not in hidden}, **environment}
+    command = [sys.executable, "-m", "layfigure_frontends", *words]
+    return subprocess.run(
+        command, cwd=folder, env=env, capture_output=True, text=True, check=False, timeout=120, stdin=subprocess.DEVNULL
+    )
+
+
+def test_without_a_display_a_script_poses_the_humanoid_and_says_where(tmp_path):
+    done = layfigure(folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    picture, pose = done.stdout.splitlines()
+    assert (picture, pose) == ("layfigure-humanoid-1.png", "layfigure-humanoid-1.pose")
+    assert "scripted session" in done.stderr
+    with Image.open(tmp_path / picture) as image:
+        assert image.size == (1200, 800) and len(image.getcolors(1 << 24) or []) > 500
+    assert "rightthigh flexion 90" in (tmp_path / pose).read_text()
+
+
+def test_a_second_run_writes_beside_the_first(tmp_path):
+    layfigure(folder=tmp_path)
+    assert layfigure(folder=tmp_path).stdout.splitlines()[0] == "layfigure-humanoid-2.png"
+
+
+def test_the_sitting_session_replays_to_the_same_bytes_close_to_its_target(tmp_path):
+    log = str(ROOT / "data" / "scripts" / "sitting.log")
+    poses = [layfigure("replay", log, "--pose", f"{name}.pose", folder=tmp_path) for name in "ab"]
+    assert all(done.returncode == 0 for done in poses)
+    assert (tmp_path / "a.pose").read_bytes() == (tmp_path / "b.pose").read_bytes()
+    lines = [line.split()[0] for line in Path(log).read_text().splitlines()[3:]]
+    assert set(lines) <= {"pick", "kind", "intensity", "mutate", "next", "first"} and lines.count("mutate") <= 2
+
+
+def test_a_saved_picture_opens_as_the_pose_it_shows(tmp_path):
+    layfigure(folder=tmp_path)
+    done = layfigure("layfigure-humanoid-1.png", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    again = (tmp_path / done.stdout.splitlines()[1]).read_bytes()
+    assert again == (tmp_path / "layfigure-humanoid-1.pose").read_bytes()
+
+
+def test_figure_info_counts_the_humanoid(tmp_path):
+    facts = json.loads(layfigure("figure", "info", "humanoid", "--json", folder=tmp_path).stdout)
+    assert (facts["limbs"], facts["dofs"], facts["total_length"]) == (19, 30, 561)
+
+
+def test_plugins_lists_ids_and_faults_as_json(tmp_path):
+    listing = json.loads(layfigure("plugins", "--json", folder=tmp_path).stdout)
+    assert "generator" in [row["id"] for row in listing["techniques"]]
+    assert {"raster", "stick"} <= {row["id"] for row in listing["renderers"]}
+    assert listing["faults"] == []
+
+
+def test_check_says_that_shipped_files_are_right(tmp_path):
+    files = [*ROOT.glob("models/*.fig"), *ROOT.glob("data/targets/*.pose"), *ROOT.glob("data/scripts/*.log")]
+    done = layfigure("check", *map(str, files), folder=tmp_path)
+    assert done.returncode == 0 and done.stdout.count(": right; ") == len(files), done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "phrase"),
+    [
+        (["horze"], 'did you mean "horse"'),
+        (["repaly", "x.log"], "extra argument"),
+        (["render", "absent.pose", "-o", "x.png"], "no such file"),
+        (["render", "absent.log", "-o", "x.png"], "no such file"),
+        (["replay", "absent.log"], "no such file"),
+        (["--config", "absent.toml"], "no such file"),
+        (["--frontend", "terminal"], "no terminal front end yet"),
+        (["--frontend", "sdl"], "no display"),
+        (["figure", "info", "humanoit"], 'did you mean "humanoid"'),
+        (["check", "notes.txt"], "must end in"),
+        (["bench", "alchemy"], "the areas are"),
+        (["render", "{sitting}", "-o", "absent/x.png"], "cannot be written"),
+        (["render", "{sitting}", "-o", "x.bmp"], "use .png"),
+        (["render", "{sitting}", "-o", "x.png", "--view", "below"], "the views are"),
+        (["render", "{sitting}", "-o", "x.png", "--look", "ful"], 'did you mean "full"'),
+    ],
+)
+def test_a_mistake_is_one_sentence_and_status_two(words, phrase, tmp_path):
+    sitting = str(ROOT / "data" / "targets" / "sitting.pose")
+    done = layfigure(*(word.format(sitting=sitting) for word in words), folder=tmp_path)
+    assert done.returncode == 2 and done.stdout == ""
+    assert phrase in done.stderr and done.stderr.count("\n") == 1, done.stderr
+    assert list(tmp_path.iterdir()) == []
