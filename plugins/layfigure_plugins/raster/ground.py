@@ -11,7 +11,9 @@ from layfigure.drawing.render_list import Look, RenderList
 
 Floats = NDArray[np.float64]
 
-LEAST_PITCH = np.sin(np.radians(12.0))  # the front view sees the floor edge-on; it is drawn as if from a little above
+# The front view sees the floor edge-on; it is drawn as if from a little above. From higher, the shadows of feet that
+# stand before or behind the root would part from their feet.
+LEAST_PITCH = np.sin(np.radians(5.0))
 POOL_RADIUS = 0.72  # of a view's smaller side: how far the lit floor reaches
 CELLS_ACROSS = 6.0  # about so many grid cells fit a view
 DARKEST = 0.75  # what a full shadow takes off the floor
