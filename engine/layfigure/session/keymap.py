@@ -146,4 +146,5 @@ _NAMES = {
     "enter": "Enter",
     "backspace": "Backspace",
     "+": "+",
+    **{f"kp{digit}": f"Num {digit}" for digit in range(10)},
 }
