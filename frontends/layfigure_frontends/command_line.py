@@ -10,7 +10,6 @@ import click
 
 from layfigure import __version__
 from layfigure.errors import LayfigureError
-from layfigure.suggestions import did_you_mean
 
 _COMMANDS = {
     "pose": "Pose a figure: the main job (the default).",
@@ -69,11 +68,6 @@ class LazyGroup(click.Group):
 @click.version_option(__version__, "-V", "--version", prog_name="layfigure")
 def layfigure() -> None:
     """Pose articulated figures by choosing among candidates, by key or click."""
-
-
-def unknown_word(word: str, names: list[str]) -> str:
-    """Return the clause that helps with a word that is neither a figure, a file nor a subcommand."""
-    return did_you_mean(word, [*names, *_COMMANDS])
 
 
 def main() -> None:

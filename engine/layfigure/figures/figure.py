@@ -118,11 +118,6 @@ class Figure:
         """Indices a user can walk through: the movable limbs and the root, which always turns."""
         return (0, *self.movable)
 
-    @cached_property
-    def children(self) -> tuple[tuple[int, ...], ...]:
-        """Child limb indices of each limb."""
-        return tuple(tuple(limb.index for limb in self.limbs if limb.parent == i) for i in range(len(self.limbs)))
-
     def subtree(self, index: int) -> frozenset[int]:
         """Return the limb and everything below it."""
         found = {index}

@@ -38,7 +38,6 @@ class Technique:
     make: Callable[[Bench], TechniqueObject[Any]]
     channels: frozenset[str]
     controls: tuple[Controls, ...] = ()
-    help: str = ""
 
     def __post_init__(self) -> None:
         _check_id("technique", self.id)

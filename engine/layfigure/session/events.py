@@ -45,6 +45,11 @@ class PointerEvent:
     alt: bool = False
     steps: float = 0.0
 
+    @property
+    def pressed(self) -> bool:
+        """Whether a button went down, for the first time or the second."""
+        return self.kind in ("press", "double")
+
 
 @dataclass(frozen=True)
 class DropEvent:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from layfigure.errors import LayfigureError
@@ -40,9 +41,9 @@ class Situation:
     frontend: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class KeyTable:
-    """All bindings, the stronger ones later."""
+    """All bindings, the stronger ones later. Tables are told apart by identity, so that answers can be kept."""
 
     bindings: tuple[Binding, ...]
 
@@ -66,8 +67,14 @@ class KeyTable:
 
     def keys_for(self, command: str, situation: Situation) -> tuple[str, ...]:
         """Return the keys that mean exactly this command line in a situation, best first."""
-        found = [key for binding in self.valid(situation) if binding.command == command for key in binding.keys]
-        return tuple(key for key in dict.fromkeys(found) if self.resolve(key, situation) == command)
+        return _keys_for(self, command, situation)
+
+
+@lru_cache(maxsize=512)
+def _keys_for(table: KeyTable, command: str, situation: Situation) -> tuple[str, ...]:
+    """Kept, because every frame names the keys of every button."""
+    found = [key for binding in table.valid(situation) if binding.command == command for key in binding.keys]
+    return tuple(key for key in dict.fromkeys(found) if table.resolve(key, situation) == command)
 
 
 def parse_keymap(text: str, source: str) -> tuple[Binding, ...]:

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from layfigure.errors import SourceError
+from layfigure.files.reading import read_text
 from layfigure.session.words import Line, WordError, split_line
 
 VERSION = 1
@@ -47,6 +48,16 @@ class SessionLog:
 def header(figure: str, technique: str) -> list[str]:
     """Return the first lines of a log."""
     return [f"layfigure log {VERSION}", f"figure {figure}", f"technique {technique}"]
+
+
+def load_log(path: Path) -> SessionLog:
+    """Return the log in a file.
+
+    Raises:
+        FileError: the file cannot be read.
+        SourceError: as for :func:`parse_log`.
+    """
+    return parse_log(read_text(path), path)
 
 
 def parse_log(text: str, source: str | Path) -> SessionLog:

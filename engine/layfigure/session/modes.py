@@ -120,7 +120,7 @@ class HelpMode(Plain):
         del size
         if isinstance(event, KeyEvent):
             return None
-        return [Pop()] if getattr(event, "kind", "") == "press" else []
+        return [Pop()] if isinstance(event, PointerEvent) and event.pressed else []
 
     def overlay(self) -> ModalOverlay:
         """Return the help page."""
@@ -174,7 +174,7 @@ class PaletteMode(Plain):
             if typed and plain:
                 return [Become(replace(self, text=self.text + typed, chosen=0, message=""))]
             return None
-        if not isinstance(event, PointerEvent) or event.kind not in ("press", "double"):
+        if not isinstance(event, PointerEvent) or not event.pressed:
             return []
         places = dialogs.palette(size, len(self.rows), self.chosen)
         for row, place in enumerate(places.rows, start=places.first):
@@ -226,7 +226,7 @@ class QuestionMode(Plain):
 
     def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Take an answer's key or a click on it; Enter is the first answer, Esc the last."""
-        if isinstance(event, PointerEvent) and event.kind in ("press", "double"):
+        if isinstance(event, PointerEvent) and event.pressed:
             places = dialogs.question(size, len(self.answers)).answers
             hit = [
                 command

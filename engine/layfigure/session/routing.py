@@ -63,7 +63,7 @@ def _default(session: Session, event: Event) -> Sequence[Outcome]:
             return [Run(line)] if line else []
         case DropEvent():
             return [Run(join_line("open", [event.path]))]
-        case PointerEvent(kind="press" | "double"):
+        case PointerEvent(pressed=True):
             return _pressed(session, event)
         case PointerEvent(kind="move"):
             return [Hover(_over(session, event))]

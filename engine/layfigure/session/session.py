@@ -71,6 +71,7 @@ class Session:
         self._renderers: dict[str, RendererObject] = {}
         self._stage = Stage(self)
         self._before_preview: Document | None = None
+        self._key_table: tuple[tuple[str, ...], KeyTable] | None = None
         self._faults_seen = 0
         self.log: list[str] = []
         self.begin(document)
@@ -248,11 +249,14 @@ class Session:
         return Situation(self.mode.state, self.document.technique, self.options.frontend)
 
     def key_table(self) -> KeyTable:
-        """Return all bindings, the technique's own first, then the keymaps."""
-        bindings: list[Binding] = []
-        for record in self.host.techniques.values():
-            bindings.extend(control_bindings(record.id, record.title, record.controls))
-        return KeyTable((*bindings, *self.options.bindings))
+        """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""
+        in_service = tuple(self.host.techniques)
+        if self._key_table is None or self._key_table[0] != in_service:
+            bindings: list[Binding] = []
+            for record in self.host.techniques.values():
+                bindings.extend(control_bindings(record.id, record.title, record.controls))
+            self._key_table = in_service, KeyTable((*bindings, *self.options.bindings))
+        return self._key_table[1]
 
     def key_for(self, command: str) -> str:
         """Return the name of the first key for a command line, or an empty string."""

@@ -28,7 +28,6 @@ def command(paths: tuple[Path, ...], choice: PluginChoice) -> int:
 
 def _verdict(path: Path, choice: PluginChoice) -> str:
     from layfigure.errors import FileError
-    from layfigure.files.reading import read_text
 
     match path.suffix.lower():
         case ".fig":
@@ -37,15 +36,15 @@ def _verdict(path: Path, choice: PluginChoice) -> str:
             figure = load_figure(str(path.parent / path.name) if path.parent != Path() else f"./{path.name}")
             return f"right; {figure.limb_count} limbs, {figure.dof_count} degrees of freedom"
         case ".pose":
-            from layfigure.poses.pose_file import read_pose
+            from layfigure.poses.pose_file import load_pose
 
-            figure, _ = read_pose(read_text(path), path)
+            figure, _ = load_pose(path)
             return f"right; a pose of {figure.name}"
         case ".log":
-            from layfigure.session.log import parse_log
+            from layfigure.session.log import load_log
             from layfigure_frontends.headless import play_log
 
-            log = parse_log(read_text(path), path)
+            log = load_log(path)
             play_log(choice, log)
             return f"right; {len(log.commands)} commands play to the end"
         case suffix:

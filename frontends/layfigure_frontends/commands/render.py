@@ -56,11 +56,10 @@ def command(source: Path, output: Path, picture: PictureChoice, choice: PluginCh
 
 
 def _open(source: Path, choice: PluginChoice) -> Session:
-    from layfigure.files.reading import read_text
-    from layfigure.session.log import parse_log
+    from layfigure.session.log import load_log
     from layfigure_frontends.headless import play_log
     from layfigure_frontends.opening import open_session
 
     if source.suffix == ".log":
-        return play_log(choice, parse_log(read_text(source), source))
+        return play_log(choice, load_log(source))
     return open_session(choice, str(source), "headless")

@@ -21,21 +21,19 @@ def command(
     choice: PluginChoice,
 ) -> int:
     """Play LOG, the text that every session writes, and say where it ends."""
-    from layfigure.files.reading import read_text
-    from layfigure.files.writing import write_text
-    from layfigure.poses.pose_file import write_pose
-    from layfigure.session.log import parse_log
+    from layfigure.poses.pose_file import save_pose, write_pose
+    from layfigure.session.log import load_log
     from layfigure.session.picture_file import save_sheet
     from layfigure_frontends.headless import play_log
 
-    session = play_log(choice, parse_log(read_text(log), log))
-    text = write_pose(session.document.figure, session.document.pose)
+    session = play_log(choice, load_log(log))
+    figure, result = session.document.figure, session.document.pose
     if pose is not None:
-        write_text(pose, text)
+        save_pose(pose, figure, result)
         click.echo(str(pose))
     if output is not None:
-        save_sheet(session, session.document.pose, output)
+        save_sheet(session, result, output)
         click.echo(str(output))
     if pose is None and output is None:
-        click.echo(text, nl=False)
+        click.echo(write_pose(figure, result), nl=False)
     return 0

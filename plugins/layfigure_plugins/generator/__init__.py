@@ -29,6 +29,5 @@ def layfigure_techniques() -> list[Technique]:
             make=Generator.on,
             channels=frozenset({"limb_pick", "best", "control"}),
             controls=_CONTROLS,
-            help="Take limbs from the nine candidates until the pose is close, then mutate it into nine new ones.",
         )
     ]

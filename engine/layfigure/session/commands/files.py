@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 from layfigure.errors import FileError, ImpossibleError
 from layfigure.figures.figure import Figure
-from layfigure.files.reading import read_text
 from layfigure.files.writing import write_text
 from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
-from layfigure.poses.pose_file import read_pose, write_pose
+from layfigure.poses.pose_file import load_pose, save_pose
 from layfigure.session.commands.pose import pose_line
 from layfigure.session.figures import reference_to
 from layfigure.session.picture_file import save_sheet
@@ -31,7 +30,7 @@ def _save(session: Session, words: tuple[str, ...]) -> None:
         session.say(f"Saved {path.name}.")
         return
     path = path.with_suffix(".pose")
-    write_text(path, write_pose(figure, pose, path.parent))
+    save_pose(path, figure, pose)
     session.saved_as = path
     picture = path.with_suffix(".png")
     save_sheet(session, pose, picture)
@@ -76,7 +75,7 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
 
 def _read(session: Session, path: Path) -> tuple[Figure, Pose]:
     if path.suffix == ".pose":
-        return read_pose(read_text(path), path)
+        return load_pose(path)
     exchange = session.host.first("layfigure_read", path=path)
     if not isinstance(exchange, Exchange) or not exchange.poses:
         raise FileError(f'{path}: is neither a .pose nor a .fig file, and no plug-in reads "{path.suffix}" files')
