@@ -18,6 +18,7 @@ from layfigure.plugins.records import (
     Keymap,
     Overlay,
     Renderer,
+    Solver,
     Technique,
 )
 from layfigure.poses.pose import Pose
@@ -35,6 +36,12 @@ def layfigure_techniques() -> list[Technique]:
 @hookspec
 def layfigure_renderers() -> list[Renderer]:
     """Return renderers."""
+    raise NotImplementedError
+
+
+@hookspec
+def layfigure_solvers() -> list[Solver]:
+    """Return solvers for inverse kinematics."""
     raise NotImplementedError
 
 

@@ -26,11 +26,12 @@ from layfigure.plugins.records import (
     Overlay,
     Record,
     Renderer,
+    Solver,
     Technique,
 )
 
 T = TypeVar("T")
-R = TypeVar("R", Technique, Renderer, Command, Keymap, Overlay, FigureSource, Interpolation)
+R = TypeVar("R", Technique, Renderer, Solver, Command, Keymap, Overlay, FigureSource, Interpolation)
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,7 @@ class Host:
         self.faults: list[Fault] = []
         self.techniques: dict[str, Technique] = {}
         self.renderers: dict[str, Renderer] = {}
+        self.solvers: dict[str, Solver] = {}
         self.commands: dict[str, Command] = {}
         self.keymaps: dict[str, Keymap] = {}
         self.overlays: dict[str, Overlay] = {}
@@ -147,6 +149,7 @@ class Host:
     def _collect(self, plugin: object, name: str) -> None:
         self._take(plugin, name, "layfigure_techniques", (Technique, self.techniques))
         self._take(plugin, name, "layfigure_renderers", (Renderer, self.renderers))
+        self._take(plugin, name, "layfigure_solvers", (Solver, self.solvers))
         self._take(plugin, name, "layfigure_commands", (Command, self.commands))
         self._take(plugin, name, "layfigure_keys", (Keymap, self.keymaps))
         self._take(plugin, name, "layfigure_overlays", (Overlay, self.overlays))
@@ -207,6 +210,7 @@ class Host:
             self._relay.unregister(plugin)
         self._drop(self.techniques, name)
         self._drop(self.renderers, name)
+        self._drop(self.solvers, name)
         self._drop(self.commands, name)
         self._drop(self.keymaps, name)
         self._drop(self.overlays, name)

@@ -15,6 +15,7 @@ from layfigure.errors import PluginError
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import CHANNELS, Bench, Controls, TechniqueObject
+from layfigure.techniques.solving import SolverObject
 
 _ID = re.compile(r"[a-z][a-z0-9_.-]*")
 
@@ -28,9 +29,9 @@ def _check_id(kind: str, identifier: str) -> None:
 class Technique:
     """A posing technique. ``make(bench)`` gives the object that works on ``bench.figure``.
 
-    ``channels`` names the events it understands (:data:`layfigure.techniques.contract.CHANNELS`); a front end shows a
-    page of candidates where ``limb_pick``, ``best`` or ``grade`` is among them. ``controls`` are its keys, sliders
-    and choices.
+    ``channels`` names the events it understands (:data:`layfigure.techniques.contract.CHANNELS`): where ``drag`` is
+    among them the panel shows a joint ball, where ``goal`` is, limb ends can be dragged in the views. ``controls`` are
+    its keys, sliders, choices and toggles.
     """
 
     id: str
@@ -65,6 +66,23 @@ class Renderer:
 
     def __post_init__(self) -> None:
         _check_id("renderer", self.id)
+
+
+@dataclass(frozen=True)
+class Solver:
+    """A way to do inverse kinematics: ``make(figure)`` gives the object that techniques get from their bench.
+
+    ``compiled`` solvers need machine code that may not be ready in a window's first moments; ``warm`` compiles it.
+    """
+
+    id: str
+    title: str
+    make: Callable[[Figure], SolverObject]
+    compiled: bool = False
+    warm: Callable[[], None] | None = None
+
+    def __post_init__(self) -> None:
+        _check_id("solver", self.id)
 
 
 @dataclass(frozen=True)
@@ -155,4 +173,4 @@ class Exchange:
     picture: NDArray[np.uint32] | None = None
 
 
-Record = Technique | Renderer | Command | Keymap | Overlay | FigureSource | Interpolation
+Record = Technique | Renderer | Solver | Command | Keymap | Overlay | FigureSource | Interpolation

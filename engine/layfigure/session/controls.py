@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from layfigure.plugins.records import Command
 from layfigure.session.words import WordError, no_more, number, one_of
-from layfigure.techniques.contract import Action, Choice, Control, Controls, Slider
+from layfigure.techniques.contract import Action, Choice, Control, Controls, Slider, Toggle
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 
-def control_command(control: Controls) -> Command:
-    """Return the command of a control."""
-    match control:
-        case Action():
-            return _action(control)
-        case Slider():
-            return _slider(control)
-        case Choice():
-            return _choice(control)
+def control_commands(controls: Iterable[Controls]) -> Iterator[Command]:
+    """Yield the commands of controls; a shortcut is for another command and has none of its own."""
+    for control in controls:
+        match control:
+            case Action():
+                yield _action(control)
+            case Slider():
+                yield _slider(control)
+            case Choice():
+                yield _choice(control)
+            case Toggle():
+                yield _toggle(control)
 
 
 def _action(control: Action) -> Command:
@@ -63,3 +67,18 @@ def _choice(control: Choice) -> Command:
         return (value,)
 
     return Command(control.name, control.title, run, usage="|".join(values), logged=True)
+
+
+def _toggle(control: Toggle) -> Command:
+    def run(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
+        no_more(words, 1)
+        on = one_of(words, 0, "switch", ("on", "off")) == "on" if words else not _is_on(session, control)
+        word = "on" if on else "off"
+        session.tell(f"{control.title}: {word}", Control(control.name, on))
+        return (word,)
+
+    return Command(control.name, control.title, run, usage="[on|off]", logged=True)
+
+
+def _is_on(session: Session, control: Toggle) -> bool:
+    return session.offer().values.get(control.name) is True

@@ -8,14 +8,16 @@ from types import MappingProxyType
 from typing import Any
 
 from layfigure.figures.figure import Figure
+from layfigure.poses.locks import Lock
 from layfigure.poses.pose import Pose
 
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """One figure in work: its shared pose, the limbs that may change, the technique in use and every technique's state.
+    """One figure in work: its shared pose, what may change, what is locked, and the state of every technique.
 
-    ``fresh`` is true until the pose is first changed: techniques then start with first-generation rules.
+    ``fresh`` is true until the pose is first changed: techniques then start with first-generation rules. ``symmetric``
+    is true while edits of one side are made on the other as well. ``slots`` are poses put aside, by number.
     """
 
     figure: Figure
@@ -24,6 +26,9 @@ class Document:
     technique: str = ""
     fresh: bool = True
     states: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    locks: tuple[Lock, ...] = ()
+    symmetric: bool = False
+    slots: Mapping[int, Pose] = field(default_factory=lambda: MappingProxyType({}))
 
     @staticmethod
     def new(figure: Figure) -> Document:
@@ -41,6 +46,7 @@ class Document:
             self.figure is other.figure
             and self.pose == other.pose
             and (self.enabled, self.technique, self.fresh) == (other.enabled, other.technique, other.fresh)
+            and (self.locks, self.symmetric, self.slots) == (other.locks, other.symmetric, other.slots)
             and self.states.keys() == other.states.keys()
             and all(
                 self.states[key] is other.states[key] or self.states[key] == other.states[key] for key in self.states

@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from layfigure.errors import LayfigureError
-from layfigure.techniques.contract import Action, Choice, Controls, Slider
+from layfigure.techniques.contract import Action, Choice, Controls, Shortcut, Slider, Toggle
 
 STATES = ("pose", "orbit", "help", "palette", "question")
 
@@ -120,7 +120,11 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
                 step = f"{control.step:g}"
                 yield Binding((down,), f"{control.name} -{step}", f"{control.title} down", title, technique=technique)
                 yield Binding((up,), f"{control.name} +{step}", f"{control.title} up", title, technique=technique)
-            case Choice() if control.keys:
+            case Shortcut():
+                yield Binding(
+                    control.keys, control.command, control.title, title, technique=technique, hint=control.hint
+                )
+            case Choice() | Toggle() if control.keys:
                 yield Binding(control.keys, control.name, control.title, title, technique=technique)
             case _:
                 pass

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from layfigure.session.frame import Button, ChoiceBar, Label, SliderBar, Widget
 from layfigure.session.layout import Column
-from layfigure.techniques.contract import Action, Choice, Controls, Offer, Slider
+from layfigure.techniques.contract import Action, Choice, Controls, Offer, Slider, Toggle
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,7 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
     if text.offer.title:
         yield Label(column.row(22), text.offer.title, "title")
     yield from _values(column, text, key)
+    yield from _toggles(column, text, key)
     yield from _buttons(column, [c for c in text.controls if isinstance(c, Action) and not c.argument], key)
     column.row(4, 0)
     yield from _always(column, key)
@@ -51,8 +52,8 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
 
 def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
     for control in text.controls:
-        value = text.offer.values.get(control.name)
         if isinstance(control, Slider):
+            value = text.offer.values.get(control.name)
             keys = "  ".join(key(f"{control.name} {sign}{control.step:g}") for sign in "-+")
             shown = float(value) if isinstance(value, int | float) else control.low
             yield SliderBar(
@@ -67,7 +68,17 @@ def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Itera
                 control.unit,
             )
         elif isinstance(control, Choice):
+            value = text.offer.values.get(control.name)
             yield ChoiceBar(column.row(48), control.title, control.name, control.options, str(value), key(control.name))
+
+
+def _toggles(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
+    for pair in _pairs([control for control in text.controls if isinstance(control, Toggle)]):
+        if not column.fits(32):
+            return
+        for rectangle, toggle in zip(column.split(2, 32), pair, strict=False):
+            on = text.offer.values.get(toggle.name) is True
+            yield Button(rectangle, toggle.title, toggle.name, key(toggle.name), active=on)
 
 
 def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:

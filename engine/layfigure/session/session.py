@@ -14,8 +14,9 @@ from layfigure.drawing.render_list import RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, RendererObject
+from layfigure.session.bench import Option
 from layfigure.session.commands import BUILT_IN
-from layfigure.session.controls import control_command
+from layfigure.session.controls import control_commands
 from layfigure.session.describing import describe_limbs
 from layfigure.session.document import Document
 from layfigure.session.events import Event
@@ -27,7 +28,7 @@ from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.routing import route
 from layfigure.session.stage import Stage
-from layfigure.session.techniques import Option, Workshop
+from layfigure.session.techniques import Workshop
 from layfigure.session.theme import ViewTheme, view_theme
 from layfigure.session.view import ViewState
 from layfigure.session.words import WordError, join_line, quoted, split_line
@@ -155,7 +156,7 @@ class Session:
 
     def commands(self) -> dict[str, Command]:
         """Return every command by name: the house's, the plug-ins', and the controls of the technique in use."""
-        mine = {control.name: control_command(control) for control in self.controls()}
+        mine = {command.id: command for command in control_commands(self.controls())}
         return {**BUILT_IN, **self.host.commands, **mine}
 
     def controls(self) -> tuple[Controls, ...]:

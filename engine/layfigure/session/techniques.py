@@ -13,23 +13,10 @@ from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Technique
 from layfigure.poses.pose import Pose
+from layfigure.session.bench import FigureBench, Option, Solvers
 from layfigure.session.document import Document
 from layfigure.suggestions import did_you_mean
 from layfigure.techniques.contract import EnabledSet, Event, Offer, PoseSet, Setting, TechniqueObject
-
-Option = float | str | bool
-
-
-@dataclass(frozen=True)
-class FigureBench:
-    """The bench a technique is made with."""
-
-    figure: Figure
-    options: Mapping[str, Option]
-
-    def option(self, name: str, default: Option) -> Option:
-        """Return a user's setting for this technique, or the default."""
-        return self.options.get(name, default)
 
 
 @dataclass
@@ -41,8 +28,12 @@ class Workshop:
 
     host: Host
     options: Mapping[str, Mapping[str, Option]] = field(default_factory=dict)
+    solvers: Solvers = field(init=False)
     _objects: dict[tuple[str, int], tuple[Figure, TechniqueObject[Any]]] = field(default_factory=dict)
     _offer: tuple[str, Any, Offer] | None = None
+
+    def __post_init__(self) -> None:
+        self.solvers = Solvers(self.host)
 
     def record(self, technique: str) -> Technique:
         """Return the record of a technique by id.
@@ -61,7 +52,7 @@ class Workshop:
         """Return the document with a technique in use; its earlier state is resumed, the pose stays as it is."""
         worker, record = self._object(document.figure, technique), self.record(technique)
         if technique not in document.states:
-            setting = Setting(document.pose, document.enabled, document.fresh)
+            setting = Setting(document.pose, document.enabled, document.fresh, document.locks)
             state = self.host.call(record, "starting", worker.start, setting)
         else:
             state = document.states[technique]
@@ -120,6 +111,6 @@ class Workshop:
         key = (technique, id(figure))
         if key not in self._objects:
             record = self.record(technique)
-            bench = FigureBench(figure, self.options.get(technique, {}))
+            bench = FigureBench(figure, self.options.get(technique, {}), self.solvers)
             self._objects[key] = (figure, self.host.call(record, "making", record.make, bench))
         return self._objects[key][1]

@@ -6,19 +6,22 @@ state, ``recommend(state)`` is the pose it stands at. Undo is an older state; no
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeVar
 
+from layfigure.drawing.marks import Mark
 from layfigure.figures.figure import Figure
+from layfigure.poses.locks import Lock
 from layfigure.poses.pose import Pose
+from layfigure.techniques.solving import SolverObject
 
 CHANNELS = frozenset({"limb_pick", "best", "grade", "goal", "drag", "control"})
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What a technique starts from: the shared pose, which limbs may change, and whether this is a fresh start.
+    """What a technique starts from: the shared pose, which limbs may change, what is locked, whether it is fresh.
 
     ``fresh`` is true for a new figure and after initialising everything: first-generation rules apply (posing.md 5).
     """
@@ -26,6 +29,7 @@ class Setting:
     pose: Pose
     enabled: frozenset[int]
     fresh: bool
+    locks: tuple[Lock, ...] = ()
 
 
 # --- events -----------------------------------------------------------------------------------------------------
@@ -57,7 +61,7 @@ class Grade:
 
 @dataclass(frozen=True)
 class Drag:
-    """The user sets one joint to angles in degrees (a joint ball, a typed number)."""
+    """The user sets one joint to flexion, pivot and twist in degrees (a joint ball, a typed number)."""
 
     limb: int
     angles: tuple[float, float, float]
@@ -65,10 +69,14 @@ class Drag:
 
 @dataclass(frozen=True)
 class Goal:
-    """The user wants the tip of ``limb`` at a world position in figure units."""
+    """The user wants the tip of ``limb`` (the root: its origin) at a world position in figure units.
+
+    ``dragging`` is true while a pointer is still moving: the answer is wanted at once and must not jump.
+    """
 
     limb: int
     position: tuple[float, float, float]
+    dragging: bool = False
 
 
 @dataclass(frozen=True)
@@ -99,7 +107,14 @@ class EnabledSet:
     enabled: frozenset[int]
 
 
-Event = LimbPick | Best | Grade | Drag | Goal | Control | PoseSet | EnabledSet
+@dataclass(frozen=True)
+class LocksSet:
+    """What is locked is now ``locks``. A technique that pays no heed to locks may raise ImpossibleError."""
+
+    locks: tuple[Lock, ...]
+
+
+Event = LimbPick | Best | Grade | Drag | Goal | Control | PoseSet | EnabledSet | LocksSet
 
 
 # --- what a technique declares and offers -------------------------------------------------------------------------
@@ -143,15 +158,43 @@ class Choice:
     keys: tuple[str, ...] = ()
 
 
-Controls = Action | Slider | Choice
+@dataclass(frozen=True)
+class Toggle:
+    """Something that is on or off: ``Control(name, bool)``. The key switches it over."""
+
+    name: str
+    title: str
+    keys: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Shortcut:
+    """Keys that mean a command line while the technique is in use; ``{key}`` in it stands for the key pressed.
+
+    ``hint`` is the word or two that the status line shows, if any.
+    """
+
+    keys: tuple[str, ...]
+    command: str
+    title: str
+    hint: str = ""
+
+
+Controls = Action | Slider | Choice | Toggle | Shortcut
+
+
+def _no_marks() -> Iterable[Mark]:
+    return ()
 
 
 @dataclass(frozen=True)
 class Offer:
     """What a technique shows: candidates to choose from, or none when the pose itself is worked on.
 
-    ``values`` holds the present value of each slider and choice by name; ``note`` is one line for the status bar;
-    ``address`` is a text that leads back to this very offer, or empty.
+    ``values`` holds the present value of each slider, choice and toggle by name; ``note`` is one line for the status
+    bar; ``address`` is a text that leads back to this very offer, or empty. ``badges`` are short texts on the
+    candidates, such as grades. ``marks`` are drawn over the working pose (a goal, a chain) and ``cones`` over its
+    skeleton (where the next alternatives can lie); they are asked for only when they are shown.
     """
 
     candidates: tuple[Pose, ...] = ()
@@ -159,6 +202,17 @@ class Offer:
     note: str = ""
     values: Mapping[str, float | str | bool] = field(default_factory=dict)
     address: str = ""
+    badges: tuple[str, ...] = ()
+    marks: Callable[[], Iterable[Mark]] = _no_marks
+    cones: Callable[[], Iterable[Mark]] = _no_marks
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A pose brought back to its locks, and whether it now keeps all of them."""
+
+    pose: Pose
+    met: bool
 
 
 class Bench(Protocol):
@@ -170,6 +224,22 @@ class Bench(Protocol):
 
     def option(self, name: str, default: float | str | bool) -> float | str | bool:
         """Return a user's setting for this technique, or the default."""
+
+    def solver(self, identifier: str) -> SolverObject:
+        """Return a plug-in's solver for the figure, such as ``ik.dls``.
+
+        Raises:
+            ImpossibleError: no such solver is in service, or it is not compiled yet.
+        """
+
+    def keep(self, poses: Sequence[Pose], locks: Sequence[Lock], movable: frozenset[int]) -> tuple[Kept, ...]:
+        """Return poses brought back to their locks by turning ``movable`` joints and carrying the root.
+
+        Without locks on ends the poses come back as they are.
+
+        Raises:
+            ImpossibleError: no solver is in service.
+        """
 
 
 State = TypeVar("State")
