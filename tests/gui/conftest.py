@@ -73,6 +73,10 @@ class Desk:
         waited("a picture drawn by compiled code", lambda: self._told()[1] == "compiled")
         self.settle()
 
+    def file(self, pattern: str) -> Path:
+        """Return the file of that name pattern that the program writes, waiting for it."""
+        return waited(f"a file {pattern}", lambda: next(iter(sorted(self.folder.glob(pattern))), None))
+
     def _told(self) -> tuple[int, str]:
         """Return how many frames were shown and what drew the last one."""
         assert self.program is None or self.program.poll() is None, "the program has ended"

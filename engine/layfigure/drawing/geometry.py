@@ -31,7 +31,10 @@ class Geometry(NamedTuple):
 
 
 def measure(figure: Figure, poses: Sequence[Pose], shots: Floats) -> Geometry:
-    """Return the geometry of ``shots`` (m, 15): pose, left, top, width, height, zoom, camera rotation row by row."""
+    """Return the geometry of ``shots`` (m, 18).
+
+    A row is: pose, left, top, width, height, zoom, camera rotation row by row, the point the camera is anchored to.
+    """
     count = len(figure.limbs)
     angles = np.array([pose.angles for pose in poses], dtype=np.float64).reshape(-1, count, 3)
     translations = np.array([pose.translation for pose in poses], dtype=np.float64).reshape(-1, 3)
@@ -66,7 +69,7 @@ def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats
     grounds = translations.copy()
     grounds[:, 1] = heights.min(axis=-1)
     pose = shots[:, 0].astype(np.int64)
-    scales, lenses, shifts = _lenses(figure, translations[pose], shots)
+    scales, lenses, shifts = _lenses(figure, shots)
     radii = scales[:, None] * figure.arrays.volume_radii
     return Geometry(
         scales.astype(np.float32),
@@ -77,18 +80,25 @@ def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats
     )
 
 
-def to_pixels(figure: Figure, pose: Pose, shot: Floats, points: Floats) -> Floats:
-    """Return world points (..., 3) of a pose in the pixels of one shot, a row (1, 15) as :func:`measure` takes."""
-    _, lenses, shifts = _lenses(figure, pose.translation[None], shot)
+def to_pixels(figure: Figure, shot: Floats, points: Floats) -> Floats:
+    """Return world points (..., 3) in the pixels of one shot, a row (1, 18) as :func:`measure` takes."""
+    _, lenses, shifts = _lenses(figure, shot)
     return np.asarray(_project(lenses, shifts, points[None])[0])
 
 
-def _lenses(figure: Figure, roots: Floats, shots: Floats) -> tuple[Floats, Floats, Floats]:
+def from_pixels(figure: Figure, shot: Floats, pixels: Floats) -> Floats:
+    """Return the world points (..., 3) at ``pixels`` (..., 3) of one shot: the inverse of :func:`to_pixels`."""
+    scales, lenses, shifts = _lenses(figure, shot)
+    back = lenses[0] / scales[0] ** 2  # a lens is a rotation (mirrored downwards) times the scale
+    return np.asarray((pixels - shifts[0]) @ back)
+
+
+def _lenses(figure: Figure, shots: Floats) -> tuple[Floats, Floats, Floats]:
     """Return pixels per unit (m,), and world to pixels as matrices (m, 3, 3) and shifts (m, 3)."""
     frame = _frame_row(figure)
     scales = shots[:, 3:5].min(axis=1) / 2 / frame[3] * shots[:, 5]
-    lenses = shots[:, 6:].reshape(-1, 3, 3) * _DOWN[:, None] * scales[:, None, None]
-    shifts = -np.einsum("mij,mj->mi", lenses, roots + frame[:3])
+    lenses = shots[:, 6:15].reshape(-1, 3, 3) * _DOWN[:, None] * scales[:, None, None]
+    shifts = -np.einsum("mij,mj->mi", lenses, shots[:, 15:] + frame[:3])
     shifts[:, :2] += shots[:, 1:3] + shots[:, 3:5] / 2
     return scales, lenses, shifts
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -42,8 +44,7 @@ def pick(render_list: RenderList, view: int, x: float, y: float, tolerance: floa
 
 def limbs_inside(figure: Figure, pose: Pose, shot: Shot, rectangle: Rectangle) -> tuple[int, ...]:
     """Return the movable limbs whose projected ends both lie inside a pixel rectangle of a shot."""
-    table = shot_rows([shot])
-    table[:, 0] = 0.0
+    table = shot_rows([replace(shot, pose=0)], [pose])
     ends = measure(figure, [pose], table).segments[..., :2]
     low = np.array([rectangle.x, rectangle.y])
     high = low + np.array([rectangle.width, rectangle.height])

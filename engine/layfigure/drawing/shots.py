@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.geometry import Floats, measure
-from layfigure.drawing.render_list import Rectangle, RenderList
+from layfigure.drawing.render_list import Rectangle, RenderList, Style
+from layfigure.drawing.sticks import draw_thin
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
 
@@ -20,20 +21,28 @@ Bytes = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class Shot:
-    """One view of one pose: which of the given poses, where on the target, through which camera, on what ground."""
+    """One view of one pose: which of the given poses, where on the target, through which camera, on what ground.
+
+    ``anchor`` is the world point that the camera stays with; None stands for wherever the pose's root is.
+    """
 
     pose: int
     rectangle: Rectangle
     camera: Camera
     background: tuple[int, int, int] = (42, 46, 53)
+    anchor: tuple[float, float, float] | None = None
 
 
 @dataclass(frozen=True)
 class Colouring:
-    """RGB per colour of the figure, (c, 3) uint8, and a :class:`Style` per pose and limb, (p, n) uint8."""
+    """RGB per colour of the figure, (c, 3) uint8, and a :class:`Style` per pose and limb, (p, n) uint8.
+
+    Poses in ``thin`` are drawn as sticks, as are limbs in the style STICK of the others.
+    """
 
     palette: Bytes
     styles: Bytes
+    thin: frozenset[int] = frozenset()
 
 
 def plain_colouring(palette: Bytes, poses: int, limbs: int) -> Colouring:
@@ -44,19 +53,23 @@ def plain_colouring(palette: Bytes, poses: int, limbs: int) -> Colouring:
 def build_render_list(figure: Figure, poses: Sequence[Pose], shots: Sequence[Shot], colouring: Colouring) -> RenderList:
     """Return what a renderer needs to draw ``shots`` of ``poses``.
 
-    A camera with zoom 1 shows the figure's framing, centred on the pose's root, as large as the rectangle holds it.
+    A camera with zoom 1 shows the figure's framing round the shot's anchor, as large as the rectangle holds it.
     The ground lies under the lowest point of the pose, so that every figure stands on it.
     """
-    table = shot_rows(shots)
+    table = shot_rows(shots, poses)
     geometry = measure(figure, poses, table)
     views, poses_seen = len(shots), table[:, 0].astype(np.int64)
     limbs = figure.arrays.volume_limbs
     kinds, parts, colours, segment_parts, segment_colours = _repeated(figure, views)
     styles = np.asarray(colouring.styles, dtype=np.uint8).reshape(-1, len(figure.limbs))[poses_seen]
+    thin = (styles == Style.STICK) | np.isin(poses_seen, list(colouring.thin))[:, None]
+    if thin.any():
+        kinds = kinds.copy()
+        draw_thin(figure, thin, kinds, geometry)
     return RenderList(
         rectangles=table[:, 1:5].astype(np.int32),
         slices=_slices(views, len(limbs)),
-        rotations=table[:, 6:].reshape(-1, 3, 3).astype(np.float32),
+        rotations=table[:, 6:15].reshape(-1, 3, 3).astype(np.float32),
         scales=geometry.scales,
         grounds=geometry.grounds,
         backgrounds=np.array([shot.background for shot in shots], dtype=np.uint8).reshape(-1, 3),
@@ -75,13 +88,14 @@ def build_render_list(figure: Figure, poses: Sequence[Pose], shots: Sequence[Sho
     )
 
 
-def shot_rows(shots: Sequence[Shot]) -> Floats:
-    """Return shots as rows of numbers (m, 15): pose, left, top, width, height, zoom, camera rotation row by row."""
+def shot_rows(shots: Sequence[Shot], poses: Sequence[Pose]) -> Floats:
+    """Return shots of poses as rows of numbers (m, 18), as :func:`layfigure.drawing.geometry.measure` explains."""
     rows = []
     for shot in shots:
         right, up, away = shot.camera.rotation
-        rows.append((shot.pose, *shot.rectangle, shot.camera.zoom, *right, *up, *away))
-    return np.array(rows, dtype=np.float64).reshape(-1, 15)
+        anchor = poses[shot.pose].translation if shot.anchor is None else shot.anchor
+        rows.append((shot.pose, *shot.rectangle, shot.camera.zoom, *right, *up, *away, *anchor))
+    return np.array(rows, dtype=np.float64).reshape(-1, 18)
 
 
 def _slices(views: int, size: int) -> NDArray[np.int32]:

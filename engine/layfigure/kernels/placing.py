@@ -122,8 +122,8 @@ def forward_tips(limbs: Any, angles: Any, translations: Any, tips: Any) -> None:
 
 # --- render lists -------------------------------------------------------------------------------------------------
 #
-# ``volumes`` (v, 15): kind, limb, radius, four points in limb coordinates. ``shots`` (m, 15): pose, left, top, width,
-# height, zoom, camera rotation row by row. ``framing`` (4,): centre relative to the root, half extent.
+# ``volumes`` (v, 15): kind, limb, radius, four points in limb coordinates. ``shots`` (m, 18): pose, left, top, width,
+# height, zoom, camera rotation row by row, anchor. ``framing`` (4,): centre relative to the anchor, half extent.
 
 
 @jit
@@ -181,13 +181,13 @@ def _place_all(limbs: Any, angles: Any, translations: Any, volumes: Any, world: 
 
 
 @jit
-def _aim(shot: Any, framing: Any, root: Any, lens: Any) -> float:
-    """Write ``lens`` (3, 4), world to pixels, for a root's translation; return pixels per unit."""
+def _aim(shot: Any, framing: Any, lens: Any) -> float:
+    """Write ``lens`` (3, 4), world to pixels, of one shot; return pixels per unit."""
     scale = min(shot[3], shot[4]) / 2.0 / framing[3] * shot[5]
     for r in range(3):
         sign = -scale if r == 1 else scale  # pixels go down
         x, y, z = sign * shot[6 + 3 * r], sign * shot[7 + 3 * r], sign * shot[8 + 3 * r]
-        middle = x * (root[0] + framing[0]) + y * (root[1] + framing[1]) + z * (root[2] + framing[2])
+        middle = x * (shot[15] + framing[0]) + y * (shot[16] + framing[1]) + z * (shot[17] + framing[2])
         lens[r, 0], lens[r, 1], lens[r, 2], lens[r, 3] = x, y, z, -middle
     lens[0, 3] += shot[1] + shot[3] / 2.0
     lens[1, 3] += shot[2] + shot[4] / 2.0
@@ -224,7 +224,7 @@ def build_views(
     floors = _place_all(limbs, angles, translations, volumes, world, ends)
     for m in range(shots.shape[0]):
         pose = int(shots[m, 0])
-        scales[m] = _aim(shots[m], framing, translations[pose], lens)
+        scales[m] = _aim(shots[m], framing, lens)
         ground[0], ground[1], ground[2] = translations[pose, 0], floors[pose], translations[pose, 2]
         _project(lens, ground, grounds[m])
         for k in range(v):

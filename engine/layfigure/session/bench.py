@@ -70,9 +70,9 @@ class FigureBench:
         return self.solvers.get(identifier, self.figure)
 
     def keep(self, poses: Sequence[Pose], locks: Sequence[Lock], movable: frozenset[int]) -> tuple[Kept, ...]:
-        """Return poses brought back to their locks by turning ``movable`` joints and carrying the root.
+        """Return poses brought back to their locks by turning the root and ``movable`` joints and carrying the root.
 
         Raises:
             ImpossibleError: there are locks on ends, and no solver is in service.
         """
-        return keep(lambda: self.solver(KEEPER), self.figure, (poses, locks, movable))
+        return keep(lambda: self.solver(KEEPER), self.figure, (poses, locks, movable | {0}))

@@ -22,7 +22,7 @@ class Size(NamedTuple):
 
 @dataclass(frozen=True)
 class Pane:
-    """One view on the surface. ``candidate`` is 0-based, or -1 for the working pose.
+    """One view on the surface. ``candidate`` is 0-based, -1 for the working pose, -2 for its skeleton.
 
     ``view`` is ``main``, ``right`` or ``top``. ``shot`` indexes the frame's shots.
     """
@@ -83,7 +83,41 @@ class ChoiceBar:
     key: str = ""
 
 
-Widget = Label | Button | SliderBar | ChoiceBar
+@dataclass(frozen=True)
+class JointBall:
+    """Flexion and pivot of a joint as a ball seen along its rest direction; dragging on it runs ``command``.
+
+    A point (x right, y up) of the unit disc is (sin p/2, sin f/2): the half vector as it looks from the front (thesis
+    V.2). ``angles`` are flexion, pivot, twist in degrees; ``low`` and ``high`` (flexion, pivot) bound what is allowed.
+    The command gets three angles appended.
+    """
+
+    rectangle: Rectangle
+    text: str
+    command: str
+    angles: tuple[float, float, float]
+    low: tuple[float, float]
+    high: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class JointCircle:
+    """One degree of freedom of a joint as a circle: 0 at the top, clockwise is positive, +-180 at the bottom.
+
+    ``column`` says which of ``angles`` (flexion, pivot, twist in degrees) it turns; -1 is an empty circle, for a joint
+    without. ``low`` and ``high`` bound what is allowed.
+    """
+
+    rectangle: Rectangle
+    text: str
+    command: str
+    angles: tuple[float, float, float]
+    column: int
+    low: float = 0.0
+    high: float = 0.0
+
+
+Widget = Label | Button | SliderBar | ChoiceBar | JointBall | JointCircle
 
 
 @dataclass(frozen=True)
@@ -128,13 +162,26 @@ ModalOverlay = HelpOverlay | PaletteOverlay | QuestionOverlay
 
 @dataclass(frozen=True)
 class WorldLine:
-    """A line over a view in surface pixels, from a plug-in's overlay."""
+    """A line over a view in surface pixels, clipped to ``clip``. ``role`` is one of
+    :data:`layfigure.drawing.marks.ROLES`, drawn in the theme's colour for it, or empty, drawn in ``rgb``."""
 
     x1: float
     y1: float
     x2: float
     y2: float
-    rgb: tuple[int, int, int]
+    clip: Rectangle
+    rgb: tuple[int, int, int] = (255, 255, 255)
+    role: str = ""
+
+
+@dataclass(frozen=True)
+class Sign:
+    """A small sign over a view at a point in surface pixels; its ``role`` decides shape and colour."""
+
+    x: float
+    y: float
+    role: str
+    clip: Rectangle
 
 
 @dataclass(frozen=True)
@@ -146,6 +193,7 @@ class Frame:
     widgets: tuple[Widget, ...]
     outlines: tuple[Outline, ...] = ()
     lines: tuple[WorldLine, ...] = ()
+    signs: tuple[Sign, ...] = ()
     overlay: ModalOverlay | None = None
     status: str = ""
     hints: tuple[tuple[str, str], ...] = ()

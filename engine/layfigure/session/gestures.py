@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.events import Event, KeyEvent, PointerEvent
-from layfigure.session.frame import Outline, Pane, Size, SliderBar
-from layfigure.session.modes import Become, GiveUp, Outcome, Plain, Pop, Preview, Run
-from layfigure.session.words import join_line
+from layfigure.session.frame import JointBall, JointCircle, Outline, Pane, Size, SliderBar
+from layfigure.session.joint_dials import ball_line, circle_line
+from layfigure.session.modes import Become, Continue, GiveUp, Outcome, Plain, Pop, Preview, Run, Settle
+from layfigure.session.words import join_line, split_line
 
 CLICK_SLACK = 4.0
 
@@ -41,6 +42,73 @@ def slider_line(bar: SliderBar, x: float) -> str:
     raw = bar.low + min(max(share, 0.0), 1.0) * (bar.high - bar.low)
     steps = round((raw - bar.low) / bar.step)
     return f"{bar.command} {min(bar.low + steps * bar.step, bar.high):g}"
+
+
+@dataclass(frozen=True)
+class DialDrag(Plain):
+    """A joint's dial is turned; the figure follows, and the angles count when the button is let go.
+
+    Under locks the way matters, because the rest of the figure follows: there it counts where the figure arrived.
+    """
+
+    dial: JointBall | JointCircle
+    locked: bool = False
+
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Preview while moving, run on release, give up on Esc."""
+        del size
+        if isinstance(event, KeyEvent):
+            return [Pop(), GiveUp()] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        line = dial_line(self.dial, event.x, event.y)
+        follow = Continue(line) if self.locked else Preview(line)
+        if event.kind == "move":
+            return [follow]
+        return [follow, Pop(), Settle(split_limb(line))] if self.locked else [Pop(), Run(line)]
+
+
+def split_limb(line: str) -> str:
+    """Return the limb that a dial's command line names."""
+    parts = split_line(line)
+    return parts.words[0] if parts else ""
+
+
+def dial_line(dial: JointBall | JointCircle, x: float, y: float) -> str:
+    """Return the command line that a pointer on a joint's dial means."""
+    return ball_line(dial, x, y) if isinstance(dial, JointBall) else circle_line(dial, x, y)
+
+
+@dataclass(frozen=True)
+class GoalDrag(Plain):
+    """The end of a limb is dragged in the plane through it that faces the viewer; let go unmoved it is a click.
+
+    ``tip`` is where the end was shown at first, in pixels and depth: the pointer keeps its distance from it.
+    """
+
+    pane: Pane
+    start: tuple[float, float]
+    click: str
+    limb: str
+    tip: tuple[float, float, float]
+    moved: bool = False
+
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Follow while moving, settle on release, go back on Esc."""
+        del size
+        if isinstance(event, KeyEvent):
+            return [Pop(), GiveUp()] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        moved = self.moved or _far(self.start, event)
+        if not moved:
+            return [Pop(), Run(self.click)] if event.kind == "release" else []
+        x, y = self.tip[0] + event.x - self.start[0], self.tip[1] + event.y - self.start[1]
+        where = f"{self.pane.shot} {x:.2f} {y:.2f} {self.tip[2]:.4f}"
+        follow = Continue(join_line("follow", [self.limb, *where.split()]))
+        if event.kind == "release":
+            return [follow, Pop(), Settle(self.limb)]
+        return [Become(replace(self, moved=True)), follow]
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ STATES = ("pose", "orbit", "help", "palette", "question")
 class Binding:
     """Keys that run a command line. ``{key}`` in the command stands for the key pressed.
 
-    ``technique`` and ``frontend`` narrow the binding down; empty means any. ``hint`` is
-    the word or two that the status line shows for it, if any.
+    ``technique``, ``channel`` (a kind of event the technique understands) and ``frontend`` narrow the binding down;
+    empty means any. ``hint`` is the word or two that the status line shows for it, if any.
     """
 
     keys: tuple[str, ...]
@@ -30,15 +30,17 @@ class Binding:
     technique: str = ""
     frontend: str = ""
     hint: str = ""
+    channel: str = ""
 
 
 @dataclass(frozen=True)
 class Situation:
-    """Where a key is pressed: interface state, technique in use, front end."""
+    """Where a key is pressed: interface state, technique in use and the events it understands, front end."""
 
     state: str
     technique: str
     frontend: str
+    channels: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +64,7 @@ class KeyTable:
                 binding.when == situation.state
                 and binding.technique in ("", situation.technique)
                 and binding.frontend in ("", situation.frontend)
+                and (not binding.channel or binding.channel in situation.channels)
             ):
                 yield binding
 

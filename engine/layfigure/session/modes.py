@@ -51,6 +51,20 @@ class Preview:
 
 
 @dataclass(frozen=True)
+class Continue:
+    """Show what a command line would do from where the last preview stands: the next step of a drag."""
+
+    line: str
+
+
+@dataclass(frozen=True)
+class Settle:
+    """End a drag: the pose it arrived at becomes one change and one line of the log, ``dragged LIMB PACKED``."""
+
+    limb: str
+
+
+@dataclass(frozen=True)
 class GiveUp:
     """End a gesture without a trace."""
 
@@ -62,7 +76,7 @@ class Hover:
     over: tuple[int, int] | None
 
 
-Outcome = Push | Pop | Become | Run | Preview | GiveUp | Hover
+Outcome = Push | Pop | Become | Run | Preview | Continue | Settle | GiveUp | Hover
 
 
 class Mode(Protocol):
@@ -147,7 +161,10 @@ def help_page(table: KeyTable, situation: Situation, titles: dict[str, str]) -> 
 
 @dataclass(frozen=True)
 class PaletteMode(Plain):
-    """A line to type a command into, with the commands that match."""
+    """A line to type a command into, with the commands that match.
+
+    With a ``prefix`` what is typed is the word that follows it; ``verbatim`` takes it as several words.
+    """
 
     entries: tuple[Entry, ...]
     text: str = ""
@@ -155,6 +172,7 @@ class PaletteMode(Plain):
     prompt: str = ":"
     prefix: str = ""
     message: str = ""
+    verbatim: bool = False
 
     @property
     def state(self) -> str:
@@ -197,6 +215,8 @@ class PaletteMode(Plain):
 
     def line(self) -> str:
         """Return the command line to run: what is typed if it names a command, else the chosen row."""
+        if self.verbatim:
+            return f"{self.prefix} {self.text.strip()}"
         if self.prefix:
             rows = self.rows
             exact = any(entry.command == self.text for entry in rows)

@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from layfigure.session.frame import Button, ChoiceBar, Label, SliderBar, Widget
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, Widget
 from layfigure.session.layout import Column
 from layfigure.techniques.contract import Action, Choice, Controls, Offer, Slider, Toggle
 
 
 @dataclass(frozen=True)
 class PanelText:
-    """What the panel says: the selected limb in words, the techniques as (id, title), the one in use, its controls."""
+    """What the panel says: the selected limb in words, the techniques as (id, title), the one in use, its controls.
+
+    ``dials`` are the joint's widgets, still without a place.
+    """
 
     limb: tuple[str, ...]
     techniques: tuple[tuple[str, str], ...]
     technique: str
     controls: tuple[Controls, ...]
     offer: Offer
+    dials: tuple[JointBall | JointCircle, ...] = ()
 
 
 T = TypeVar("T")
+
+DIAL = 150  # layout units: the height of the joint's dials
 
 ALWAYS = (
     ("Initialise", "initialise"),
@@ -39,6 +45,9 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
     for line in text.limb:
         yield Label(column.row(18, 2), line, "text" if line == text.limb[0] else "small")
     column.row(4, 0)
+    if text.dials and column.fits(DIAL):
+        for rectangle, dial in zip(column.split(len(text.dials), DIAL), text.dials, strict=True):
+            yield replace(dial, rectangle=rectangle)
     if len(text.techniques) > 1:
         yield ChoiceBar(column.row(48), "Technique", "use", text.techniques, text.technique, key("use"))
     if text.offer.title:

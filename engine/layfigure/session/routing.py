@@ -6,11 +6,22 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from layfigure.errors import ImpossibleError
 from layfigure.session.events import DropEvent, Event, KeyEvent, PointerEvent
-from layfigure.session.frame import Button, ChoiceBar, Pane, SliderBar, Widget
-from layfigure.session.gestures import BandDrag, OrbitDrag, SliderDrag, camera_line, slider_line
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Pane, SliderBar, Widget
+from layfigure.session.gestures import (
+    BandDrag,
+    DialDrag,
+    GoalDrag,
+    OrbitDrag,
+    SliderDrag,
+    camera_line,
+    dial_line,
+    slider_line,
+)
 from layfigure.session.modes import (
     Become,
+    Continue,
     GiveUp,
     Hover,
     Outcome,
@@ -18,7 +29,9 @@ from layfigure.session.modes import (
     Preview,
     Push,
     Run,
+    Settle,
 )
+from layfigure.session.stage import SKELETON
 from layfigure.session.words import join_line
 
 if TYPE_CHECKING:
@@ -50,10 +63,22 @@ def happen(session: Session, outcome: Outcome) -> None:
             session.execute(line)
         case Preview(line):
             session.preview(line)
+        case Continue(line):
+            _go_on(session, line)
+        case Settle(limb):
+            session.settle(limb)
         case GiveUp():
             session.give_up_preview()
         case Hover(over):
             session.view = replace(session.view, hover=over)
+
+
+def _go_on(session: Session, line: str) -> None:
+    """Take a drag's next step; one that cannot be done leaves the figure at the last that could."""
+    try:
+        session.preview(line, onward=True)
+    except ImpossibleError as error:
+        session.say(str(error))
 
 
 def _default(session: Session, event: Event) -> Sequence[Outcome]:
@@ -75,14 +100,14 @@ def _default(session: Session, event: Event) -> Sequence[Outcome]:
 def _pressed(session: Session, event: PointerEvent) -> Sequence[Outcome]:
     widget = session.stage.widget_at(event.x, event.y)
     if widget is not None:
-        return _widget_pressed(widget, event) if event.button == LEFT else []
+        return _widget_pressed(session, widget, event) if event.button == LEFT else []
     pane = session.stage.pane_at(event.x, event.y)
     if pane is None:
         return []
     return _pane_pressed(session, pane, event)
 
 
-def _widget_pressed(widget: Widget, event: PointerEvent) -> Sequence[Outcome]:
+def _widget_pressed(session: Session, widget: Widget, event: PointerEvent) -> Sequence[Outcome]:
     match widget:
         case Button(enabled=True):
             return [Run(widget.command)]
@@ -93,6 +118,9 @@ def _widget_pressed(widget: Widget, event: PointerEvent) -> Sequence[Outcome]:
         case SliderBar():
             line = slider_line(widget, event.x)
             return [Push(SliderDrag(widget, line)), Preview(line)]
+        case JointBall() | JointCircle() if not (isinstance(widget, JointCircle) and widget.column < 0):
+            line = dial_line(widget, event.x, event.y)
+            return [Push(DialDrag(widget, locked=bool(session.document.locks))), Preview(line)]
     return []
 
 
@@ -111,7 +139,18 @@ def _pane_pressed(session: Session, pane: Pane, event: PointerEvent) -> Sequence
         return []
     if pane.candidate >= 0:
         return [Push(BandDrag(pane, start, click, f"pick-in {vary or 'plain'}"))]
-    return [Push(BandDrag(pane, start, click, f"enable-in {'off' if event.shift else 'on'}"))]
+    return [Push(_own_gesture(session, pane, event, click))]
+
+
+def _own_gesture(session: Session, pane: Pane, event: PointerEvent, click: str) -> GoalDrag | BandDrag:
+    """Return what a press on the working pose begins: a limb's end is dragged, or a rectangle enables limbs."""
+    start = (event.x, event.y)
+    if "goal" not in session.channels or pane.candidate == SKELETON:
+        return BandDrag(pane, start, click, f"enable-in {'off' if event.shift else 'on'}")
+    end = session.stage.end_at(pane, event.x, event.y)
+    if end is None or event.shift:
+        return BandDrag(pane, start, click, "enable-in only" if event.shift else "select-in")
+    return GoalDrag(pane, start, click, session.document.figure.names[end], session.stage.tip_pixels(pane, end))
 
 
 def _click(session: Session, pane: Pane, limb: int | None, vary: str) -> str:
@@ -120,7 +159,7 @@ def _click(session: Session, pane: Pane, limb: int | None, vary: str) -> str:
         return f"choose {pane.candidate + 1}" if pane.candidate >= 0 else "select-none"
     name = session.document.figure.names[limb]
     if pane.candidate < 0:
-        return join_line("select", [name])
+        return join_line("select-more" if vary == "swing" else "select", [name])
     number = str(pane.candidate + 1)
     return join_line("vary", [number, vary, name]) if vary else join_line("pick", [number, name])
 

@@ -14,6 +14,7 @@ from layfigure.drawing.render_list import RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, RendererObject
+from layfigure.poses.packing import pack_pose
 from layfigure.session.bench import Option
 from layfigure.session.commands import BUILT_IN
 from layfigure.session.controls import control_commands
@@ -181,9 +182,9 @@ class Session:
             raise
         self.commit(title, told, entry=entry)
 
-    def set_pose(self, title: str, change: PoseSet) -> None:
-        """Give the document a pose that did not come from the technique in use."""
-        self.commit(title, self.workshop.set_pose(self.document, change))
+    def set_pose(self, title: str, change: PoseSet, *, settled: bool = False) -> None:
+        """Give the document a pose that did not come from the technique in use; a ``settled`` one keeps all locks."""
+        self.commit(title, self.workshop.set_pose(self.document, change, settled=settled))
 
     def commit(self, title: str, document: Document, *, entry: bool = True) -> None:
         """Make a document the present one; one call is one entry of history."""
@@ -200,10 +201,15 @@ class Session:
         self.view = replace(self.view, hover=None, selected=self._still_there(self.view.selected))
         self._announce(before)
 
-    def preview(self, text: str) -> None:
-        """Show what a command line would do, without history or log, until something is run or given up."""
-        self.give_up_preview()
-        before = self.document
+    def preview(self, text: str, *, onward: bool = False) -> None:
+        """Show what a command line would do, without history or log, until something is run or given up.
+
+        With ``onward`` it is done from where the last preview stands, as the next step of a drag.
+        """
+        before = self._before_preview if onward else None
+        if before is None:
+            self.give_up_preview()
+            before = self.document
         log, self.log = self.log, list(self.log)
         callback, self.on_logged = self.on_logged, lambda line: None
         try:
@@ -213,6 +219,18 @@ class Session:
                 self.commands()[line.name].run(self, line.words)
         finally:
             self.log, self.on_logged = log, callback
+
+    @property
+    def previewing(self) -> bool:
+        """Whether what is shown is a preview."""
+        return self._before_preview is not None
+
+    def settle(self, limb: str) -> None:
+        """Make the pose that a drag of a limb's end arrived at one change and one line of the log."""
+        pose = self.document.pose
+        self.give_up_preview()
+        if pose != self.document.pose:
+            self.execute(join_line("dragged", [limb, pack_pose(self.document.figure, pose)]))
 
     def give_up_preview(self) -> None:
         """Go back to the document from before a preview."""
@@ -235,6 +253,12 @@ class Session:
         return self.modes[-1]
 
     @property
+    def channels(self) -> frozenset[str]:
+        """The kinds of events that the technique in use understands."""
+        record = self.host.techniques.get(self.document.technique)
+        return record.channels if record else frozenset()
+
+    @property
     def stage(self) -> Stage:
         """What is shown where."""
         return self._stage
@@ -247,7 +271,7 @@ class Session:
     @property
     def situation(self) -> Situation:
         """Where a key would be pressed now."""
-        return Situation(self.mode.state, self.document.technique, self.options.frontend)
+        return Situation(self.mode.state, self.document.technique, self.options.frontend, self.channels)
 
     def key_table(self) -> KeyTable:
         """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""

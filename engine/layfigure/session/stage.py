@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
-from layfigure.drawing.camera import FIXED_VIEWS, Camera
-from layfigure.drawing.geometry import to_pixels
+from layfigure.drawing.camera import FIXED_VIEWS, Camera, framing
+from layfigure.drawing.geometry import from_pixels, to_pixels
 from layfigure.drawing.palette import load_palette
 from layfigure.drawing.picking import limbs_inside, pick
 from layfigure.drawing.render_list import Rectangle, RenderList, Style
 from layfigure.drawing.shots import Colouring, Shot, build_render_list, shot_rows
-from layfigure.errors import ImpossibleError, PluginError
+from layfigure.errors import ImpossibleError
+from layfigure.kinematics.forward import place_pose
+from layfigure.poses.locks import locked_joints, tips_of
 from layfigure.poses.pose import Pose
-from layfigure.session.frame import Frame, Label, Outline, Pane, Size, Widget, WorldLine
+from layfigure.session.frame import Frame, Label, Outline, Pane, Sign, Size, Widget, WorldLine
+from layfigure.session.joint_dials import joint_dials
 from layfigure.session.layout import Areas, Column, areas, candidate_views, grid, pane_at, poser_views
 from layfigure.session.panel import PanelText, panel
+from layfigure.session.signs import drawn, lock_marks, overlay_lines, technique_marks
 from layfigure.techniques.contract import Offer
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 TOLERANCE = 5.0
-WORKING = -1
+WORKING, SKELETON = -1, -2
+FAR = 0.35  # of what a view shows from its middle to its edge: how far the root may be carried in a still picture
 
 
 @dataclass(frozen=True)
@@ -49,22 +55,27 @@ class Stage:
         """Return the picture of the session as it is now on a surface of that size."""
         session = self._session
         offer = session.offer()
-        place = areas(size, with_page=bool(offer.candidates))
+        skeleton = session.view.skeleton
+        place = areas(size, with_page=bool(offer.candidates) or skeleton)
+        self._follow_root()
+        poses = (session.document.pose, *offer.candidates, *[session.document.pose] * skeleton)
         panes: list[Pane] = []
         shots: list[Shot] = []
-        for candidate, view, rectangle in _views(place, offer, size.scale):
+        for candidate, view, rectangle in _views(place, offer, size.scale, skeleton=skeleton):
             camera = session.view.camera if view == "main" else Camera(FIXED_VIEWS[view], session.view.camera.zoom)
             background = session.theme.pane_chosen if candidate == session.view.candidate else session.theme.pane
             panes.append(Pane(candidate, view, rectangle, len(shots)))
-            shots.append(Shot(candidate + 1, rectangle, camera, background))
-        poses = (session.document.pose, *offer.candidates)
+            shown = len(poses) - 1 if candidate == SKELETON else candidate + 1
+            shots.append(Shot(shown, rectangle, camera, background, session.view.anchor))
+        lines, signs = self._marked(panes, shots, offer)
         widgets = tuple(self._widgets(place, panes, offer, size))
         frame = Frame(
             size=size,
             panes=tuple(panes),
             widgets=widgets,
             outlines=(*self._outlines(panes), *session.mode.outlines()),
-            lines=tuple(self._overlay_lines(panes, shots)),
+            lines=lines,
+            signs=signs,
             overlay=session.mode.overlay(),
             status=session.status or offer.note,
             hints=session.hints(),
@@ -72,7 +83,7 @@ class Stage:
             text_input=session.mode.state == "palette",
             theme=session.view.theme,
         )
-        listed = build_render_list(session.document.figure, poses, shots, self._colouring(len(poses)))
+        listed = build_render_list(session.document.figure, poses, shots, self._colouring(len(poses), skeleton))
         self._picture = Picture(frame, poses, tuple(shots), listed)
         return self._picture
 
@@ -102,9 +113,41 @@ class Stage:
         return next((w for w in widgets if not isinstance(w, Label) and w.rectangle.contains(x, y)), None)
 
     def limb_at(self, pane: Pane, x: float, y: float) -> int | None:
-        """Return the selectable limb whose front-most volume a point of a view shows, or one a few pixels off."""
-        part = pick(self.picture.render_list, pane.shot, x, y, TOLERANCE * self.picture.frame.size.scale)
-        return self._nearest_movable(part) if part >= 0 else None
+        """Return the selectable limb whose front-most volume a point of a view shows, or one a few pixels off.
+
+        The root can be selected in the working pose only: candidates are there for their limbs.
+        """
+        part = self.part_at(pane, x, y)
+        limb = self._nearest_movable(part) if part >= 0 else 0
+        return limb if limb or (pane.candidate < 0 and part >= 0) else None
+
+    def part_at(self, pane: Pane, x: float, y: float) -> int:
+        """Return the limb, movable or not, that a point of a view shows, or -1."""
+        return pick(self.picture.render_list, pane.shot, x, y, TOLERANCE * self.picture.frame.size.scale)
+
+    def end_at(self, pane: Pane, x: float, y: float) -> int | None:
+        """Return the limb whose end a drag from a point of the working pose moves, or None.
+
+        That is the limb there, movable or not; the root where nothing above it can turn.
+        """
+        part = self.part_at(pane, x, y)
+        if part < 0:
+            return None
+        return part if self._nearest_movable(part) else 0
+
+    def tip_pixels(self, pane: Pane, limb: int) -> tuple[float, float, float]:
+        """Return where a limb's end is shown in a pane of the working pose: x and y in pixels, and its depth."""
+        figure, pose = self._session.document.figure, self._session.document.pose
+        x, y, z = to_pixels(figure, self._row(pane), tips_of(figure, place_pose(figure, pose))[limb]).tolist()
+        return x, y, z
+
+    def world_at(self, pane: Pane, x: float, y: float, depth: float) -> tuple[float, float, float]:
+        """Return the world point at a pixel and depth of a pane: the pointer's ray meets the plane at that depth."""
+        here = from_pixels(self._session.document.figure, self._row(pane), np.array([x, y, depth])).tolist()
+        return (round(here[0], 6), round(here[1], 6), round(here[2], 6))
+
+    def _row(self, pane: Pane) -> NDArray[np.float64]:
+        return shot_rows([self.picture.shots[pane.shot]], self.picture.poses)
 
     def limbs_in(self, candidate: int, view: str, band: Rectangle) -> tuple[int, ...]:
         """Return the movable limbs of a candidate that lie wholly inside a rectangle on one of its views."""
@@ -114,42 +157,50 @@ class Stage:
         shot = self.picture.shots[pane.shot]
         return limbs_inside(self._session.document.figure, self.picture.poses[shot.pose], shot, band)
 
-    def _nearest_movable(self, part: int) -> int | None:
+    def _nearest_movable(self, part: int) -> int:
         """A limb that cannot move stands for the nearest one above it that can (the head turns with the neck)."""
         figure = self._session.document.figure
         while part > 0 and not figure.limbs[part].movable:
             part = figure.limbs[part].parent
-        return part if part > 0 else None
+        return max(part, 0)
 
-    def _overlay_lines(self, panes: list[Pane], shots: list[Shot]) -> Iterator[WorldLine]:
-        """Yield the lines of the overlays that are on, over every view of the working pose."""
+    def _marked(
+        self, panes: list[Pane], shots: list[Shot], offer: Offer
+    ) -> tuple[tuple[WorldLine, ...], tuple[Sign, ...]]:
+        """Return the lines and signs over the working pose, and the cones over its skeleton."""
         session = self._session
-        figure, pose = session.document.figure, session.document.pose
-        for record in [
-            session.host.overlays[key] for key in sorted(session.view.overlays & set(session.host.overlays))
-        ]:
-            try:
-                lines = session.host.call(record, "drawing", lambda record=record: list(record.lines(figure, pose)))
-            except PluginError as error:
-                session.say(str(error))
-                continue
-            for pane in panes:
-                if pane.candidate == WORKING:
-                    ends = np.array([(line.begin, line.end) for line in lines], dtype=np.float64).reshape(-1, 2, 3)
-                    pixels = to_pixels(figure, pose, shot_rows([shots[pane.shot]]), ends)
-                    for ((x1, y1, _), (x2, y2, _)), line in zip(pixels.tolist(), lines, strict=True):
-                        yield WorldLine(x1, y1, x2, y2, line.rgb)
+        own = [pane for pane in panes if pane.candidate < 0]
+        bones = [pane for pane in own if pane.candidate == SKELETON]
+        marks = [*lock_marks(session.document), *technique_marks(session, offer, cones=False)]
+        lines, signs = drawn(session, marks, own, shots)
+        if bones:
+            cone_lines, cone_signs = drawn(session, technique_marks(session, offer, cones=True), bones, shots)
+            lines, signs = [*cone_lines, *lines], [*cone_signs, *signs]
+        return (*overlay_lines(session, own, shots), *lines), tuple(signs)
 
-    def _colouring(self, poses: int) -> Colouring:
+    def _follow_root(self) -> None:
+        """Let the cameras stay where they are until the root has been carried far, but not while it is dragged."""
         session = self._session
-        figure = session.document.figure
+        root = session.document.pose.translation
+        far = np.abs(root - session.view.anchor).max() > FAR * framing(session.document.figure).half_extent
+        if far and not session.previewing:
+            x, y, z = root.tolist()
+            session.view = replace(session.view, anchor=(x, y, z))
+
+    def _colouring(self, poses: int, skeleton: bool) -> Colouring:
+        session = self._session
+        figure, takes_goals = session.document.figure, "goal" in session.channels
         styles = np.zeros((poses, len(figure.limbs)), dtype=np.uint8)
-        kept = [limb for limb in figure.movable if limb not in session.document.enabled]
-        styles[0, kept] = Style.DIM
+        still = locked_joints(session.document.locks)
+        kept = [limb for limb in figure.movable if limb not in session.document.enabled or limb in still]
+        own = [0, poses - 1] if skeleton else [0]
+        styles[0, kept] = Style.STICK if takes_goals else Style.DIM
+        styles[own[1:], kept] = Style.DIM
         styles[:, list(session.view.selected)] = Style.SELECTED
-        if session.view.hover is not None and session.view.hover[0] + 1 < poses:
-            styles[session.view.hover[0] + 1, session.view.hover[1]] = Style.HOVER
-        return Colouring(load_palette("default").rgb(figure.colours), styles)
+        hover = session.view.hover
+        if hover is not None and hover[0] + 1 < poses:
+            styles[poses - 1 if hover[0] == SKELETON else hover[0] + 1, hover[1]] = Style.HOVER
+        return Colouring(load_palette("default").rgb(figure.colours), styles, frozenset(own[1:]))
 
     def _widgets(self, place: Areas, panes: list[Pane], offer: Offer, size: Size) -> Iterator[Widget]:
         unit = size.scale
@@ -157,7 +208,7 @@ class Stage:
             if pane.candidate >= 0 and pane.view == "main":
                 box = Rectangle(pane.rectangle.x, pane.rectangle.y, round(26 * unit), round(26 * unit))
                 yield Label(box, str(pane.candidate + 1), "number", "centre")
-            if pane.candidate < 0 and place.poser.width >= 200 * unit:
+            if pane.candidate < 0 and pane.rectangle.width >= 60 * unit and place.poser.width >= 200 * unit:
                 box = pane.rectangle
                 yield Label(
                     Rectangle(box.x + round(6 * unit), box.y + round(4 * unit), box.width, round(16 * unit)),
@@ -184,6 +235,7 @@ class Stage:
             technique=session.document.technique,
             controls=session.controls(),
             offer=offer,
+            dials=joint_dials(session.document, session.view.selected) if "drag" in session.channels else (),
         )
 
     def _outlines(self, panes: list[Pane]) -> Iterator[Outline]:
@@ -194,12 +246,14 @@ class Stage:
             yield from (Outline(pane.rectangle, "focus") for pane in panes if pane.view == "main")
 
 
-def _views(place: Areas, offer: Offer, unit: float) -> Iterator[tuple[int, str, Rectangle]]:
+def _views(place: Areas, offer: Offer, unit: float, *, skeleton: bool) -> Iterator[tuple[int, str, Rectangle]]:
     line = max(round(2 * unit), 1)
     heading = round(26 * unit)
     below = Rectangle(place.poser.x, place.poser.y + heading, place.poser.width, place.poser.height - heading)
     yield from ((WORKING, view, rectangle) for view, rectangle in poser_views(below, line))
-    if offer.candidates:
+    if skeleton:
+        yield from ((SKELETON, view, rectangle) for view, rectangle in poser_views(place.page, line))
+    elif offer.candidates:
         for candidate, cell in enumerate(grid(len(offer.candidates), place.page, round(8 * unit))):
             yield from ((candidate, view, rectangle) for view, rectangle in candidate_views(cell, line))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -12,11 +13,13 @@ from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Technique
+from layfigure.poses.locks import Lock, anew
 from layfigure.poses.pose import Pose
 from layfigure.session.bench import FigureBench, Option, Solvers
 from layfigure.session.document import Document
+from layfigure.session.lock_keeping import changed_limbs, within_locks
 from layfigure.suggestions import did_you_mean
-from layfigure.techniques.contract import EnabledSet, Event, Offer, PoseSet, Setting, TechniqueObject
+from layfigure.techniques.contract import EnabledSet, Event, LocksSet, Offer, PoseSet, Setting, TechniqueObject
 
 
 @dataclass
@@ -57,28 +60,66 @@ class Workshop:
         else:
             state = document.states[technique]
             state = self.host.call(record, "telling", worker.tell, state, EnabledSet(document.enabled))
+            with suppress(ImpossibleError):
+                state = self.host.call(record, "telling", worker.tell, state, LocksSet(document.locks))
             if self._recommended(document, technique, state) != document.pose:
                 state = self.host.call(record, "telling", worker.tell, state, PoseSet(document.pose, document.fresh))
         moved = document.with_state(technique, state, document.pose)
         return replace(moved, technique=technique)
 
     def tell(self, document: Document, event: Event) -> Document:
-        """Return the document after the technique in use heard an event; its recommendation is the new pose."""
-        technique = document.technique
-        worker, record = self._object(document.figure, technique), self.record(technique)
-        state = self.host.call(record, "telling", worker.tell, document.states[technique], event)
-        return document.with_state(technique, state, self._recommended(document, technique, state))
+        """Return the document after the technique in use heard an event; its recommendation is the new pose.
 
-    def set_pose(self, document: Document, change: PoseSet) -> Document:
-        """Return the document with a pose that did not come from the technique in use."""
+        Raises:
+            ImpossibleError: the event makes no sense now, or the locks do not allow what it asks.
+        """
+        return self._netted(document, self._told(document, event))
+
+    def set_pose(self, document: Document, change: PoseSet, *, settled: bool = False) -> Document:
+        """Return the document with a pose that did not come from the technique in use.
+
+        An edit of some limbs has to keep the locks; where the whole pose is another one they are anchored anew.
+
+        Raises:
+            ImpossibleError: the locks do not allow the edit.
+        """
+        if change.limbs is None:
+            locks = anew(document.figure, change.pose, document.locks)
+            document = self.set_locks(document, locks) if locks != document.locks else document
+        else:
+            pose = within_locks(self.solvers, document, change.pose, settled=settled)
+            followed = changed_limbs(change.pose, pose)
+            change = replace(change, pose=pose, limbs=(*change.limbs, *sorted(followed)))
         moved = replace(document, pose=change.pose, fresh=change.fresh)
-        told = self.tell(moved, change) if moved.technique else moved
+        told = self._told(moved, change) if moved.technique else moved
         return replace(told, pose=change.pose, fresh=change.fresh)
 
     def set_enabled(self, document: Document, enabled: frozenset[int]) -> Document:
         """Return the document with another set of limbs that may change."""
         moved = replace(document, enabled=enabled)
-        return self.tell(moved, EnabledSet(enabled)) if moved.technique else moved
+        return self._told(moved, EnabledSet(enabled)) if moved.technique else moved
+
+    def set_locks(self, document: Document, locks: tuple[Lock, ...]) -> Document:
+        """Return the document with other locks; a technique that pays no heed to them need not understand."""
+        moved = replace(document, locks=locks)
+        try:
+            return self._told(moved, LocksSet(locks)) if moved.technique else moved
+        except ImpossibleError:
+            return moved
+
+    def _told(self, document: Document, event: Event) -> Document:
+        technique = document.technique
+        worker, record = self._object(document.figure, technique), self.record(technique)
+        state = self.host.call(record, "telling", worker.tell, document.states[technique], event)
+        return document.with_state(technique, state, self._recommended(document, technique, state))
+
+    def _netted(self, before: Document, told: Document) -> Document:
+        """Return the document with its pose within its locks, whether the technique heeds them or not."""
+        pose = within_locks(self.solvers, before, told.pose)
+        if pose == told.pose:
+            return told
+        limbs = tuple(sorted(changed_limbs(told.pose, pose)))
+        return replace(self._told(told, PoseSet(pose, limbs=limbs)), pose=pose, fresh=False)
 
     def offer(self, document: Document) -> Offer:
         """Return what the technique in use shows; the last offer is kept until the state is another."""

@@ -233,7 +233,7 @@ class Bench(Protocol):
         """
 
     def keep(self, poses: Sequence[Pose], locks: Sequence[Lock], movable: frozenset[int]) -> tuple[Kept, ...]:
-        """Return poses brought back to their locks by turning ``movable`` joints and carrying the root.
+        """Return poses brought back to their locks by turning the root and ``movable`` joints and carrying the root.
 
         Without locks on ends the poses come back as they are.
 

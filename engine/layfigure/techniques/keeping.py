@@ -60,11 +60,13 @@ def _task(lock: Pin | PinOrientation | Band | Hold) -> Task:
 def lock_problem(figure: Figure, locks: Sequence[Lock], movable: frozenset[int], tasks: Sequence[Task] = ()) -> Problem:
     """Return the problem of meeting ``tasks`` under locks, with tolerances well inside what locks allow.
 
-    Locked joints do not move. The root is carried and turned where an end is locked: that is how feet stay planted.
+    Locked joints do not move. Where an end is locked the root is carried, and turned if 0 is among ``movable``: that
+    is how feet stay planted.
     """
     asked = (*tasks, *tasks_of(locks))
-    anchored = len(asked) > len(tasks)
-    free = (movable - locked_joints(locks)) | (frozenset({0}) - locked_joints(locks) if anchored else frozenset())
+    still = locked_joints(locks)
+    anchored = len(asked) > len(tasks) and 0 not in still
+    free = movable - still if anchored else movable - still - {0}
     allowed = TOLERANCE * CARE * body_height(figure)
     return Problem(asked, free, root_moves=anchored, tolerance=allowed, degrees=DEGREES * CARE)
 

@@ -1,10 +1,8 @@
-"""Paints boxes round things: the chosen candidate, the rubber band, the view that turns; and plug-ins' lines."""
+"""Paints boxes round things: the chosen candidate, the rubber band, the view that turns."""
 
 from __future__ import annotations
 
-import pygame
-
-from layfigure.session.frame import Frame, Outline
+from layfigure.session.frame import Outline
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import Canvas
 
@@ -29,10 +27,3 @@ def paint_outline(canvas: Canvas, outline: Outline) -> None:
             shapes.border(canvas.surface, box, canvas.pixels(2), theme.accent, one)
         case _:
             shapes.border(canvas.surface, box, radius, theme.border, one)
-
-
-def paint_lines(canvas: Canvas, frame: Frame) -> None:
-    """Paint the lines that plug-ins lay over the views."""
-    width = max(canvas.pixels(1.5), 1)
-    for line in frame.lines:
-        pygame.draw.aaline(canvas.surface, line.rgb, (line.x1, line.y1), (line.x2, line.y2), width)

@@ -13,8 +13,9 @@ from layfigure.session.frame import Frame, Pane
 from layfigure.session.layout import areas
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import Canvas
-from layfigure_frontends.sdl.outlines import CARD_RADIUS, paint_lines, paint_outline
+from layfigure_frontends.sdl.outlines import CARD_RADIUS, paint_outline
 from layfigure_frontends.sdl.overlays import paint_overlay
+from layfigure_frontends.sdl.signs import paint_lines, paint_signs
 from layfigure_frontends.sdl.status_bar import paint_status_bar
 from layfigure_frontends.sdl.theme import load_theme
 from layfigure_frontends.sdl.widgets import paint_widget
@@ -32,6 +33,7 @@ def paint(surface: pygame.Surface, frame: Frame, draw: Draw, pointer: tuple[floa
         draw_views(surface, frame, draw)
         _round_cards(canvas, frame)
     paint_lines(canvas, frame)
+    paint_signs(canvas, frame)
     for widget in frame.widgets:
         paint_widget(canvas, widget)
     for outline in frame.outlines:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from functools import cache
 
 from layfigure import resources
@@ -32,13 +33,19 @@ class Theme:
     key_edge: RGB
     key_text: RGB
     shade: RGB
+    marks: Mapping[str, RGB] = field(default_factory=dict)
+
+    def mark(self, role: str) -> RGB:
+        """Return the colour of a mark's role."""
+        return self.marks.get(role, self.accent)
 
 
 @cache
 def load_theme(name: str) -> Theme:
     """Return a shipped theme by name."""
     data = tomllib.loads(resources.data("themes", f"{name}.toml").read_text(encoding="utf-8"))
-    return Theme(**{field.name: _rgb(data["colours"][field.name]) for field in fields(Theme)})
+    colours = {each.name: _rgb(data["colours"][each.name]) for each in fields(Theme) if each.name != "marks"}
+    return Theme(**colours, marks={role: _rgb(text) for role, text in data["marks"].items()})
 
 
 def _rgb(text: str) -> RGB:

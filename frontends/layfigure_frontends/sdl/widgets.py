@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from layfigure.drawing.render_list import Rectangle
-from layfigure.session.frame import Button, ChoiceBar, Label, SliderBar, Widget
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, Widget
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas, Type
+from layfigure_frontends.sdl.dials import paint_ball, paint_circle
 from layfigure_frontends.sdl.theme import RGB, Theme
 
 RADIUS = 6
@@ -32,6 +33,10 @@ def _paint(canvas: Canvas, widget: Widget) -> None:
             paint_slider(canvas, widget)
         case ChoiceBar():
             paint_choice(canvas, widget)
+        case JointBall():
+            paint_ball(canvas, widget)
+        case JointCircle():
+            paint_circle(canvas, widget)
 
 
 def paint_label(canvas: Canvas, label: Label) -> None:

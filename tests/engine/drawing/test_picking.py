@@ -31,7 +31,7 @@ def listed(pose: Pose, camera: Camera):
 def test_machine_code_and_numpy_place_everything_alike(view):
     compiled.load()
     poses = [random_pose(seed) for seed in range(3)]
-    table = shot_rows([Shot(i, BOX, fixed_view(view)) for i in range(3)])
+    table = shot_rows([Shot(i, BOX, fixed_view(view)) for i in range(3)], poses)
     angles, moved = np.array([p.angles for p in poses]), np.array([p.translation for p in poses])
     for ours, reference in zip(
         in_machine_code(HUMANOID, angles, moved, table), in_numpy(HUMANOID, angles, moved, table), strict=True

@@ -15,7 +15,7 @@ from layfigure.session.keymap import (
 )
 from layfigure.techniques.contract import Action, Choice, Slider
 
-POSE = Situation("pose", "generator", "sdl")
+POSE = Situation("pose", "generator", "sdl", frozenset({"limb_pick", "best", "control"}))
 
 
 def table(*bindings: Binding) -> KeyTable:

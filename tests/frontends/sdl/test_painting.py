@@ -161,7 +161,7 @@ def test_a_surface_with_its_colours_in_another_order_shows_the_same(session, fra
 def test_lines_of_plugins_are_drawn(session, frame_of):
     size = Size(640, 400)
     surface = pygame.Surface((640, 400), 0, 32)
-    frame = frame_of(size, widgets=(), panes=(), outlines=(), lines=(WorldLine(50, 50, 250, 50, (255, 0, 0)),))
+    frame = frame_of(size, widgets=(), panes=(), outlines=(), lines=(WorldLine(50, 50, 250, 50, Rectangle(0, 0, 300, 300), (255, 0, 0)),))
     paint(surface, frame, session.draw)
     assert surface.get_at((150, 50))[0] > 200
 

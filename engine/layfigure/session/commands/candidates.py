@@ -110,7 +110,7 @@ def rectangle(words: tuple[str, ...]) -> tuple[int, str, Rectangle]:
     Raises:
         WordError: a word is missing or wrong.
     """
-    shown = whole_number(words, 0, "a candidate", (-1, 10_000))
+    shown = whole_number(words, 0, "a candidate", (-2, 10_000))
     view = one_of(words, 1, "view", ("main", "right", "top"))
     sides = [round(number(words, index, "a pixel coordinate")) for index in range(2, 6)]
     no_more(words, 6)

@@ -6,17 +6,24 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.library import figure_names
+from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.records import Command
+from layfigure.poses.locks import tips_of
+from layfigure.session.describing import spoken_limb
 from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
-from layfigure.session.words import no_more, one_of, whole_number
+from layfigure.session.words import join_line, no_more, one_of, whole_number
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
-_HIDDEN = {"accept", "complete", "row", "erase", "scroll", "ask", "pick-in", "enable-in", "camera", "palette"}
+_HIDDEN = {
+    *("accept", "complete", "row", "erase", "scroll", "ask", "palette"),
+    *("pick-in", "enable-in", "select-in", "camera", "follow", "dragged"),
+}
 
 
 def _help(session: Session, words: tuple[str, ...]) -> None:
@@ -37,10 +44,30 @@ def _palette(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _ask(session: Session, words: tuple[str, ...]) -> None:
-    name = one_of(words, 0, "question", ("select", "open", "save"))
+    name = one_of(words, 0, "question", ("select", "open", "save", "use", "hold", "set", "goal"))
     no_more(words, 1)
+    if name in ("set", "goal"):
+        session.modes.append(_numbers(session, name))
+        return
     entries, prompt = _choices(session, name)
     session.modes.append(PaletteMode(entries, prompt=prompt, prefix=name))
+
+
+def _numbers(session: Session, name: str) -> PaletteMode:
+    """Return a prompt for the numbers of the selected limb, with the present ones typed already."""
+    if not session.view.selected:
+        raise ImpossibleError("no limb is selected; Tab selects one")
+    figure, pose, limb = session.document.figure, session.document.pose, session.view.selected[-1]
+    if name == "set":
+        kinds = [kind for kind in DOF_KINDS if not limb or figure.limbs[limb].dof(kind)]
+        values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]
+        prompt = f"{' '.join(kinds).capitalize()} of the {spoken_limb(figure, limb)}:"
+    else:
+        values = list(tips_of(figure, place_pose(figure, pose))[limb])
+        prompt = f"Place of the end of the {spoken_limb(figure, limb)}, x y z:"
+    text = " ".join(f"{value:.2f}".rstrip("0").rstrip(".") for value in values)
+    prefix = join_line(name, [figure.names[limb]])
+    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True)
 
 
 def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
@@ -49,6 +76,10 @@ def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
         return tuple(Entry(figure.names[limb], "") for limb in figure.selectable), "Select limb:"
     if name == "save":
         return (), "Save as:"
+    if name == "use":
+        return tuple(Entry(key, record.title) for key, record in session.host.techniques.items()), "Technique:"
+    if name == "hold":
+        return tuple(Entry(figure.names[limb], "") for limb in figure.selectable), "Keep the offset from:"
     found = sorted(session.options.folder.glob("*.pose"))[:200]
     poses = tuple(Entry(path.name, "a pose in this folder") for path in found)
     return poses, "Open:"
@@ -114,7 +145,7 @@ COMMANDS = (
     Command("help", "Show the keys", _help),
     Command("palette", "Type a command", _palette),
     Command("figures", "Choose another figure", _figures),
-    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save"),
+    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal"),
     Command("cancel", "Let go", _cancel),
     Command("accept", "Do what is typed", _accept),
     Command("complete", "Complete the word", _complete),

@@ -97,13 +97,33 @@ def _disable(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _enable_in(session: Session, words: tuple[str, ...]) -> None:
-    switch = one_of(words, 0, "switch", ("on", "off"))
-    shown, view, band = rectangle(words[1:])
-    chosen = session.stage.limbs_in(shown, view, band)
+    switch = one_of(words, 0, "switch", ("on", "off", "only"))
+    names = [session.document.figure.names[limb] for limb in _inside(session, words[1:])]
+    session.execute(join_line({"on": "enable", "off": "disable", "only": "enable-only"}[switch], names))
+
+
+def _enable_only(session: Session, words: tuple[str, ...]) -> None:
+    chosen = frozenset(limbs(session, words, 0)) & frozenset(session.document.figure.movable)
+    session.commit("enable only", session.workshop.set_enabled(session.document, chosen))
+    session.say(f"{_amount(session)} may change; the others keep what they have.")
+
+
+def _select_in(session: Session, words: tuple[str, ...]) -> None:
+    _show(session, _inside(session, words))
+
+
+def _select_more(session: Session, words: tuple[str, ...]) -> None:
+    """Add limbs to the selection, or take out those that are all in it."""
+    chosen, selected = limbs(session, words, 0), session.view.selected
+    kept = tuple(limb for limb in selected if limb not in chosen)
+    _show(session, kept if set(chosen) <= set(selected) else (*kept, *chosen))
+
+
+def _inside(session: Session, words: tuple[str, ...]) -> tuple[int, ...]:
+    chosen = session.stage.limbs_in(*rectangle(words))
     if not chosen:
         raise ImpossibleError("no limb lies wholly inside that rectangle")
-    names = [session.document.figure.names[limb] for limb in chosen]
-    session.execute(join_line("enable" if switch == "on" else "disable", names))
+    return chosen
 
 
 def _amount(session: Session) -> str:
@@ -131,5 +151,10 @@ COMMANDS = (
     Command("toggle", "Let the selected limbs change, or keep them", _toggle),
     Command("enable", "Let limbs change", _enable, "LIMB…|all", logged=True),
     Command("disable", "Keep limbs as they are", _disable, "LIMB…|all", logged=True),
-    Command("enable-in", "Enable or keep the limbs inside a rectangle", _enable_in, "on|off CANDIDATE VIEW X Y W H"),
+    Command("enable-only", "Let only these limbs change", _enable_only, "LIMB…|all", logged=True),
+    Command(
+        "enable-in", "Enable or keep the limbs inside a rectangle", _enable_in, "on|off|only CANDIDATE VIEW X Y W H"
+    ),
+    Command("select-in", "Select the limbs inside a rectangle", _select_in, "CANDIDATE VIEW X Y W H"),
+    Command("select-more", "Add limbs to the selection, or take them out", _select_more, "LIMB…"),
 )

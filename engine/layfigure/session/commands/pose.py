@@ -11,6 +11,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import limit_of
 from layfigure.plugins.records import Command
+from layfigure.poses.locks import mirrored
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
@@ -19,7 +20,7 @@ from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
-from layfigure.techniques.contract import PoseSet
+from layfigure.techniques.contract import Drag, PoseSet
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -48,15 +49,28 @@ def _rest(session: Session, words: tuple[str, ...]) -> None:
 def _set(session: Session, words: tuple[str, ...]) -> None:
     figure = session.document.figure
     (limb,) = limbs(session, words[:1], 0)
-    angles = [number(words, index, "an angle in degrees") for index in (1, 2, 3)]
-    no_more(words, 4)
-    for index, (kind, angle) in enumerate(zip(DOF_KINDS, angles, strict=True)):
-        if limb and angle and figure.limbs[limb].dof(kind) is None:
-            raise WordError(index + 2, f"the {spoken_limb(figure, limb)} has no {kind}; 0 is wanted here")
-        if abs(angle) > 180:
-            raise WordError(index + 2, f"{words[index + 1]} is out of bounds: angles go from -180 to 180")
-    moved = session.document.pose.with_joint(limb, *angles)
-    session.set_pose(f"set {figure.names[limb]}", PoseSet(moved, limbs=(limb,)))
+    angles = _angles(session, limb, words)
+    if "drag" in session.channels:
+        session.tell(f"set {figure.names[limb]}", Drag(limb, angles))
+    else:
+        moved = session.document.pose.with_joint(limb, *angles)
+        session.set_pose(f"set {figure.names[limb]}", PoseSet(moved, limbs=(limb,)))
+
+
+def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float, float, float]:
+    """Return the angles in words: all three, or one for each degree of freedom that the joint has."""
+    figure = session.document.figure
+    name, has = spoken_limb(figure, limb), [not limb or figure.limbs[limb].dof(kind) is not None for kind in DOF_KINDS]
+    given = [index for index in range(3) if has[index]] if len(words) - 1 == sum(has) and any(has) else [0, 1, 2]
+    angles = [0.0, 0.0, 0.0]
+    for place, index in enumerate(given):
+        angles[index] = number(words, place + 1, f"the {DOF_KINDS[index]} of the {name} in degrees")
+        if angles[index] and not has[index]:
+            raise WordError(place + 2, f"the {name} has no {DOF_KINDS[index]}; 0 is wanted here")
+        if abs(angles[index]) > 180:
+            raise WordError(place + 2, f"{words[place + 1]} is out of bounds: angles go from -180 to 180")
+    no_more(words, len(given) + 1)
+    return (angles[0], angles[1], angles[2])
 
 
 def _nudge(session: Session, words: tuple[str, ...]) -> None:
@@ -79,7 +93,9 @@ def _nudge(session: Session, words: tuple[str, ...]) -> None:
 
 def _flip(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    session.set_pose("mirror the pose", PoseSet(flipped(session.document.figure, session.document.pose)))
+    figure, workshop = session.document.figure, session.workshop
+    turned = workshop.set_locks(session.document, mirrored(figure, session.document.locks))
+    session.commit("mirror the pose", workshop.set_pose(turned, PoseSet(flipped(figure, session.document.pose))))
     session.say("Mirrored the pose.")
 
 
@@ -124,7 +140,7 @@ def pose_line(session: Session, pose: Pose) -> str:
 COMMANDS = (
     Command("initialise", "Selected limbs, or everything, back to rest", _initialise, "[LIMB…|all]"),
     Command("rest", "Put limbs back to rest", _rest, "LIMB…|all", logged=True),
-    Command("set", "Set a joint's angles", _set, "LIMB FLEXION PIVOT TWIST", logged=True),
+    Command("set", "Set a joint's angles", _set, "LIMB FLEXION [PIVOT TWIST]", logged=True),
     Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist DEGREES"),
     Command("flip", "Mirror the pose", _flip, logged=True),
     Command("pose", "Set the whole pose from its packed form", _pose, "PACKED", logged=True),

@@ -90,7 +90,22 @@ def _overlay(session: Session, words: tuple[str, ...]) -> None:
     session.view = replace(session.view, overlays=session.view.overlays ^ {name})
 
 
+def _skeleton(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 1)
+    on = one_of(words, 0, "switch", ("on", "off")) == "on" if words else not session.view.skeleton
+    session.view = replace(session.view, skeleton=on)
+    session.say("The skeleton: drag a rectangle to let limbs change, with Shift to keep them." if on else "")
+
+
+def _frame(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    x, y, z = session.document.pose.translation.tolist()
+    session.view = replace(session.view, anchor=(x, y, z), camera=replace(session.view.camera, zoom=1.0))
+
+
 COMMANDS = (
+    Command("skeleton", "Show the skeleton and where limbs can go", _skeleton, "[on|off]"),
+    Command("frame", "Bring the figure to the middle of the views", _frame),
     Command("view", "Go to a fixed view", _view, "front|right|left|back|top"),
     Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD"),
     Command("camera", "Set the camera", _camera, "R11…R33 ZOOM"),

@@ -1,0 +1,94 @@
+"""The widgets of a joint: a ball for flexion and pivot, a circle for a single degree of freedom (thesis V.2)."""
+
+from __future__ import annotations
+
+import math
+
+from layfigure.drawing.render_list import Rectangle
+from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.figure import Limb, limb_limits
+from layfigure.session.document import Document
+from layfigure.session.frame import JointBall, JointCircle
+from layfigure.session.words import join_line, quoted
+
+NOWHERE = Rectangle(0, 0, 0, 0)
+FINEST = 0.05  # degrees: what a pointer sets is a multiple of it, so that logs stay readable
+
+
+def joint_dials(document: Document, selected: tuple[int, ...]) -> tuple[JointBall | JointCircle, ...]:
+    """Return the dials of the limb selected last, without a place yet: first the swing's, then the twist's."""
+    if not selected:
+        return ()
+    limb = document.figure.limbs[selected[-1]]
+    command = f"set {quoted(limb.name)}"
+    flexion, pivot, twist = document.pose.angles[limb.index].tolist()
+    angles = (flexion, pivot, twist)
+    return (_swing_dial(limb, command, angles), _twist_dial(limb, command, angles))
+
+
+def _swing_dial(limb: Limb, command: str, angles: tuple[float, float, float]) -> JointBall | JointCircle:
+    (f_low, f_high), (p_low, p_high), _ = bounds(limb, angles)
+    has = [limb.index == 0 or limb.dof(kind) is not None for kind in DOF_KINDS]
+    if has[0] and has[1]:
+        return JointBall(NOWHERE, "Flexion, pivot", command, angles, (f_low, p_low), (f_high, p_high))
+    if has[1]:
+        return JointCircle(NOWHERE, "Pivot", command, angles, 1, p_low, p_high)
+    return JointCircle(
+        NOWHERE, "Flexion" if has[0] else "No swing", command, angles, 0 if has[0] else -1, f_low, f_high
+    )
+
+
+def _twist_dial(limb: Limb, command: str, angles: tuple[float, float, float]) -> JointCircle:
+    low, high = bounds(limb, angles)[2]
+    has = limb.index == 0 or limb.dof("twist") is not None
+    return JointCircle(NOWHERE, "Twist" if has else "No twist", command, angles, 2 if has else -1, low, high)
+
+
+def bounds(limb: Limb, angles: tuple[float, float, float]) -> list[tuple[float, float]]:
+    """Return what flexion, pivot and twist may be: the limits, widened to where the joint stands. The root is free."""
+    if limb.index == 0:
+        return [(-180.0, 180.0)] * 3
+    return [(min(low, at), max(high, at)) for (low, high), at in zip(limb_limits(limb), angles, strict=True)]
+
+
+def ball_line(ball: JointBall, x: float, y: float) -> str:
+    """Return the command line that a pointer on a joint ball means."""
+    across, up = on_disc(ball.rectangle, x, y)
+    length = max(math.hypot(across, up), 1.0)
+    flexion = _within(_readable(math.degrees(2 * math.asin(up / length))), ball.low[0], ball.high[0])
+    pivot = _within(_readable(math.degrees(2 * math.asin(across / length))), ball.low[1], ball.high[1])
+    return _line(ball.command, (flexion, pivot, ball.angles[2]))
+
+
+def circle_line(circle: JointCircle, x: float, y: float) -> str:
+    """Return the command line that a pointer on a joint circle means; beyond a limit the nearer limit is taken."""
+    across, up = on_disc(circle.rectangle, x, y)
+    angle = _readable(math.degrees(math.atan2(across, up)))
+    if not circle.low <= angle <= circle.high:
+        angle = min((circle.low, circle.high), key=lambda limit: abs((angle - limit + 180) % 360 - 180))
+    angles = list(circle.angles)
+    angles[circle.column] = angle
+    return _line(circle.command, (angles[0], angles[1], angles[2]))
+
+
+def on_disc(box: Rectangle, x: float, y: float) -> tuple[float, float]:
+    """Return a pointer position in units of a dial's radius from its centre, x right, y up."""
+    radius = max(disc_radius(box), 1.0)
+    return (x - box.x - box.width / 2) / radius, -(y - box.y - box.height / 2) / radius
+
+
+def disc_radius(box: Rectangle) -> float:
+    """Return the radius in pixels of the dial in a box: it leaves room for the text round it."""
+    return min(box.width, box.height) / 2 * 0.8
+
+
+def _within(angle: float, low: float, high: float) -> float:
+    return min(max(angle, low), high)
+
+
+def _readable(angle: float) -> float:
+    return round(round(angle / FINEST) * FINEST, 6)
+
+
+def _line(command: str, angles: tuple[float, float, float]) -> str:
+    return join_line(command, [f"{angle:.6f}".rstrip("0").rstrip(".") for angle in angles])

@@ -1,0 +1,109 @@
+"""Lines and signs over the views: plug-ins' overlays, locks, and what the technique in use wants to show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from layfigure.drawing.geometry import to_pixels
+from layfigure.drawing.marks import ROLES, Mark
+from layfigure.drawing.shots import Shot, shot_rows
+from layfigure.errors import PluginError
+from layfigure.kinematics.forward import place_pose
+from layfigure.poses.locks import Band, Hold, JointLock, Pin, PinOrientation, tips_of
+from layfigure.session.document import Document
+from layfigure.session.frame import Pane, Sign, WorldLine
+from layfigure.techniques.contract import Offer
+
+if TYPE_CHECKING:
+    from layfigure.session.session import Session
+
+MOST = 4000  # marks of one kind; a plug-in that gives more is cut, not waited for
+
+
+def overlay_lines(session: Session, panes: Sequence[Pane], shots: Sequence[Shot]) -> Iterator[WorldLine]:
+    """Yield the lines of the plug-ins' overlays that are on, over every given pane."""
+    figure, pose = session.document.figure, session.document.pose
+    for key in sorted(session.view.overlays & set(session.host.overlays)):
+        record = session.host.overlays[key]
+        try:
+            lines = session.host.call(record, "drawing", lambda record=record: list(record.lines(figure, pose)))
+        except PluginError as error:
+            session.say(str(error))
+            continue
+        for pane in panes:
+            ends = np.array([(line.begin, line.end) for line in lines], dtype=np.float64).reshape(-1, 2, 3)
+            pixels = to_pixels(figure, shot_rows([shots[pane.shot]], [pose]), ends)
+            for ((x1, y1, _), (x2, y2, _)), line in zip(pixels.tolist(), lines, strict=True):
+                yield WorldLine(x1, y1, x2, y2, pane.rectangle, rgb=line.rgb)
+
+
+def technique_marks(session: Session, offer: Offer, *, cones: bool) -> tuple[Mark, ...]:
+    """Return the marks of the technique in use, or its cones; one that fails is left for another technique."""
+    record = session.host.techniques.get(session.document.technique)
+    if record is None:
+        return ()
+    try:
+        marks = session.host.call(record, "drawing", lambda: list(offer.cones() if cones else offer.marks()))
+    except PluginError as error:
+        session.say(str(error))
+        return ()
+    return tuple(mark for mark in marks[:MOST] if isinstance(mark, Mark) and mark.role in ROLES)
+
+
+def lock_marks(document: Document) -> Iterator[Mark]:
+    """Yield a sign for every lock where it holds, and a line from there to where its limb is."""
+    if not document.locks:
+        return
+    figure = document.figure
+    placement = place_pose(figure, document.pose)
+    tips = [tuple(tip) for tip in tips_of(figure, placement).tolist()]
+    origins = [tuple(origin) for origin in placement.origins.tolist()]
+    for lock in document.locks:
+        match lock:
+            case Pin(limb, position):
+                yield Mark("pin", (position,))
+                yield Mark("pin", (tips[limb], position))
+            case Band(limb, position):
+                yield Mark("band", (position,))
+                yield Mark("band", (tips[limb], position))
+            case PinOrientation(limb):
+                yield Mark("orientation", (tips[limb],))
+            case Hold(limb, other):
+                yield Mark("hold", (tips[limb],))
+                yield Mark("hold", (tips[other],))
+                yield Mark("hold", (tips[limb], tips[other]))
+            case JointLock(limb):
+                yield Mark("joint", (origins[limb],))
+
+
+def drawn(
+    session: Session, marks: Iterable[Mark], panes: Sequence[Pane], shots: Sequence[Shot]
+) -> tuple[list[WorldLine], list[Sign]]:
+    """Return marks as lines and signs over every given pane; those with a number that is not finite are left out."""
+    lines: list[WorldLine] = []
+    signs: list[Sign] = []
+    listed = list(marks)
+    points = np.array([point for mark in listed for point in mark.points], dtype=np.float64).reshape(-1, 3)
+    for pane in panes:
+        row = shot_rows([shots[pane.shot]], [session.document.pose] * (shots[pane.shot].pose + 1))
+        pixels = to_pixels(session.document.figure, row, points)
+        sane = np.all(np.abs(pixels) < 1e5, axis=1).tolist()  # false for what is not a number, too
+        first = 0
+        for mark in listed:
+            path = pixels[first : first + len(mark.points)]
+            if all(sane[first : first + len(mark.points)]):
+                _add(mark.role, path.tolist(), pane, (lines, signs))
+            first += len(mark.points)
+    return lines, signs
+
+
+def _add(role: str, path: list[list[float]], pane: Pane, into: tuple[list[WorldLine], list[Sign]]) -> None:
+    lines, signs = into
+    if len(path) == 1:
+        signs.append(Sign(path[0][0], path[0][1], role, pane.rectangle))
+    for (x1, y1, _), (x2, y2, _) in pairwise(path):
+        lines.append(WorldLine(x1, y1, x2, y2, pane.rectangle, role=role))

@@ -1,0 +1,255 @@
+"""The technique: an end gets a goal, a solver turns its chain, locks are kept, the rest stays where it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from layfigure.drawing.marks import Mark
+from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.figures.figure import Figure
+from layfigure.kinematics.forward import limb_begins, limb_ends, place_pose
+from layfigure.kinematics.measures import body_height
+from layfigure.poses.lock_words import lock_words, read_lock
+from layfigure.poses.locks import DEGREES, TOLERANCE, Lock, Pin, broken, tips_of
+from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.pose import Pose
+from layfigure.techniques.contract import (
+    Bench,
+    Control,
+    EnabledSet,
+    Event,
+    Goal,
+    LocksSet,
+    Offer,
+    PoseSet,
+    Setting,
+)
+from layfigure.techniques.keeping import CARE, tasks_of
+from layfigure.techniques.solving import DirectionTask, PositionTask, Problem, Solution, Task, chain_of
+from layfigure_plugins.inverse.chains import Following, following
+
+VERSION = 1
+LONGEST = 12
+SOLVERS = ("ik.dls", "ik.reach")
+YIELDING = 0.9
+"""The weight of a goal beside locks: where both cannot be had, the locks are kept."""
+
+PRECISION = 0.0005
+"""How near to its goal an end comes, as a share of the figure's height."""
+
+STRIDE = 0.02
+"""The longest step of a drag, as a share of the figure's height: a pointer that jumps is followed in several."""
+
+MOST_STRIDES = 40
+
+
+@dataclass(frozen=True)
+class InverseState:
+    """The pose, the switches, and of a drag that is going on the end, its goal and the solver's memory."""
+
+    pose: Pose
+    enabled: frozenset[int]
+    locks: tuple[Lock, ...] = ()
+    chain: int = 3
+    solver: str = SOLVERS[0]
+    aim: bool = False
+    limb: int = -1
+    goal: tuple[float, float, float] | None = None
+    memory: tuple[float, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Inverse:
+    """Inverse kinematics on one figure."""
+
+    bench: Bench = field(repr=False)
+
+    @staticmethod
+    def on(bench: Bench) -> Inverse:
+        """Return the technique for the bench's figure."""
+        return Inverse(bench)
+
+    @property
+    def figure(self) -> Figure:
+        """The figure being posed."""
+        return self.bench.figure
+
+    def start(self, setting: Setting) -> InverseState:
+        """Return the state to begin with; the option ``solver`` chooses one by id."""
+        solver = str(self.bench.option("solver", SOLVERS[0]))
+        return InverseState(setting.pose, setting.enabled, setting.locks, solver=_known(solver))
+
+    def ask(self, state: InverseState) -> Offer:
+        """Return the values of the controls, and marks on the chain that moved last."""
+        reach = "up to the root" if state.chain == 0 else f"the last {state.chain} limbs"
+        return Offer(
+            title=f"Dragging an end moves {reach}",
+            note=state.note,
+            values={"chain": float(state.chain), "solver": state.solver, "aim": state.aim},
+            marks=lambda: self._marks(state),
+        )
+
+    def tell(self, state: InverseState, event: Event) -> InverseState:
+        """Return the state after an event.
+
+        Raises:
+            ImpossibleError: the end cannot be moved, the locks would break, or the event is not for this technique.
+        """
+        match event:
+            case Goal():
+                return self._moved(state, event)
+            case Control(name, value):
+                return _controlled(replace(state, note=""), name, value)
+            case PoseSet(pose):
+                return replace(state, pose=pose, memory=(), note="", limb=state.limb if event.limbs else -1)
+            case EnabledSet(enabled):
+                return replace(state, enabled=enabled)
+            case LocksSet(locks):
+                return replace(state, locks=locks)
+            case _:
+                raise ImpossibleError(f"inverse kinematics has no use for {event}"[:160])
+
+    def recommend(self, state: InverseState) -> Pose:
+        """Return the pose."""
+        return state.pose
+
+    def dump(self, state: InverseState) -> dict[str, Any]:
+        """Return the state as JSON-ready plain data; a drag that is going on is left out."""
+        return {
+            "version": VERSION,
+            "pose": pack_pose(self.figure, state.pose),
+            "enabled": [self.figure.names[limb] for limb in sorted(state.enabled)],
+            "locks": [list(lock_words(self.figure, lock)) for lock in state.locks],
+            "chain": state.chain,
+            "solver": state.solver,
+            "aim": state.aim,
+        }
+
+    def load(self, data: Mapping[str, Any]) -> InverseState:
+        """Return the state that :meth:`dump` described.
+
+        Raises:
+            LayfigureError: another version, another figure, or damaged data.
+        """
+        if data.get("version") != VERSION:
+            raise LayfigureError(f"inverse kinematics reads states of version {VERSION}, not {data.get('version')!r}")
+        try:
+            return InverseState(
+                unpack_pose(self.figure, data["pose"]),
+                frozenset(self.figure.indices(data["enabled"])),
+                tuple(read_lock(self.figure, words) for words in data["locks"]),
+                _chain(data["chain"]),
+                _known(data["solver"]),
+                bool(data["aim"]),
+            )
+        except (KeyError, TypeError, AttributeError) as error:
+            raise LayfigureError(f"the state is damaged ({error}); start the technique again") from None
+
+    def _moved(self, state: InverseState, goal: Goal) -> InverseState:
+        self._check(state, goal)
+        follow = following(self.figure, goal.limb, state.chain, state.enabled, state.locks)
+        if goal.limb and not follow.movable:
+            name = self.figure.names[goal.limb]
+            raise ImpossibleError(f"nothing that the {name} hangs on may move; enable or unlock a limb of its chain")
+        if goal.dragging:
+            solution = self._dragged(state, goal, follow)
+        else:
+            solution = self.bench.solver(state.solver).solve(state.pose, self._problem(state, goal, follow))
+        if broken(self.figure, solution.pose, follow.locks):
+            raise ImpossibleError("the locks do not allow that; release one, or lengthen the chain")
+        missed = solution.errors[0]
+        note = f"out of reach by {missed:.1f} units" if missed > 10 * PRECISION * body_height(self.figure) else ""
+        return replace(
+            state,
+            pose=solution.pose,
+            limb=goal.limb,
+            goal=goal.position if note else None,
+            memory=solution.memory if goal.dragging else (),
+            note=note,
+        )
+
+    def _check(self, state: InverseState, goal: Goal) -> None:
+        if not 0 <= goal.limb < len(self.figure.limbs) or not np.isfinite(goal.position).all():
+            raise ImpossibleError("a goal needs a limb of the figure and a finite place")
+        if any(isinstance(lock, Pin) and lock.limb == goal.limb for lock in state.locks):
+            raise ImpossibleError(f"the {self.figure.names[goal.limb]} is pinned in its place; release it first")
+
+    def _dragged(self, state: InverseState, goal: Goal, follow: Following) -> Solution:
+        """Follow the pointer in strides, so that a jump of the pointer is no jump of the limbs."""
+        solver = self.bench.solver(state.solver)
+        begin = self._tip(state.pose, goal.limb)
+        way = np.array(goal.position) - begin
+        stride = STRIDE * body_height(self.figure)
+        count = int(min(max(np.ceil(np.linalg.norm(way) / stride), 1), MOST_STRIDES))
+        solution = Solution(state.pose, (float(np.linalg.norm(way)),), met=False, memory=state.memory)
+        for number in range(1, count + 3):
+            x, y, z = (begin + way * min(number / count, 1.0)).tolist()
+            problem = self._problem(state, replace(goal, position=(x, y, z)), follow)
+            solution = solver.step(solution.pose, problem, solution.memory)
+            if number >= count and solution.errors[0] <= problem.tolerance:
+                break
+        return solution
+
+    def _problem(self, state: InverseState, goal: Goal, follow: Following) -> Problem:
+        weight = YIELDING if follow.locks else 1.0
+        tasks: tuple[Task, ...] = (PositionTask(goal.limb, goal.position, weight),)
+        if state.aim and self.figure.limbs[goal.limb].length:
+            tasks += (DirectionTask(goal.limb, self._direction(state.pose, goal.limb), YIELDING / 2),)
+        height = body_height(self.figure)
+        return Problem(
+            (*tasks, *tasks_of(follow.locks)),
+            follow.movable,
+            root_moves=follow.root_moves,
+            tolerance=(TOLERANCE * CARE if follow.locks else PRECISION) * height,
+            degrees=DEGREES * CARE,
+        )
+
+    def _tip(self, pose: Pose, limb: int) -> Any:
+        return tips_of(self.figure, place_pose(self.figure, pose))[limb]
+
+    def _direction(self, pose: Pose, limb: int) -> tuple[float, float, float]:
+        placement = place_pose(self.figure, pose)
+        along = limb_ends(self.figure, placement)[limb] - limb_begins(self.figure, placement)[limb]
+        x, y, z = (along / np.linalg.norm(along)).tolist()
+        return (x, y, z)
+
+    def _marks(self, state: InverseState) -> Iterator[Mark]:
+        """Yield the chain that moved last as a line through its joints, and a goal that could not be reached."""
+        if state.limb < 0:
+            return
+        placement = place_pose(self.figure, state.pose)
+        joints = sorted(chain_of(self.figure, state.limb, state.chain))
+        points = [*placement.origins[joints].tolist(), tips_of(self.figure, placement)[state.limb].tolist()]
+        yield Mark("chain", tuple((x, y, z) for x, y, z in points))
+        if state.goal is not None:
+            yield Mark("goal", (state.goal,))
+            yield Mark("goal", (tuple(points[-1]), state.goal))
+
+
+def _controlled(state: InverseState, name: str, value: object) -> InverseState:
+    match name, value:
+        case "chain", int() | float():
+            return replace(state, chain=_chain(value))
+        case "solver", str():
+            return replace(state, solver=_known(value), memory=())
+        case "aim", bool():
+            return replace(state, aim=value)
+        case _:
+            raise ImpossibleError(f'inverse kinematics has no control "{name}" that can be {value!r}')
+
+
+def _chain(value: Any) -> int:
+    if isinstance(value, bool) or not 0 <= value <= LONGEST or value != int(value):
+        raise ImpossibleError(f"a chain has 0 to {LONGEST} limbs, {value} is not in it")
+    return int(value)
+
+
+def _known(solver: str) -> str:
+    if solver not in SOLVERS:
+        raise ImpossibleError(f"inverse kinematics works with {' or '.join(SOLVERS)}, not {solver!r}")
+    return solver
