@@ -6,6 +6,7 @@ import re
 
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure, Limb
+from layfigure.poses.locks import kind_of
 from layfigure.session.document import Document
 
 _FREEDOM = {
@@ -22,7 +23,7 @@ def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, 
     if not selected:
         kept = len(figure.movable) - len(document.enabled & frozenset(figure.movable))
         state = "every limb may change" if not kept else f"{kept} of {len(figure.movable)} limbs are kept as they are"
-        return ("No limb selected", state)
+        return ("No limb selected", state, *describe_locks(document))
     if len(selected) > 1:
         return (f"{len(selected)} limbs selected", ", ".join(spoken_limb(figure, limb) for limb in selected[:4]))
     limb = figure.limbs[selected[0]]
@@ -31,7 +32,24 @@ def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, 
     stands = "  ".join(
         f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.dof(kind) or limb.index == 0
     )
-    return (f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}", stands)
+    return (f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}", stands, *describe_locks(document))
+
+
+_LOCKED = {
+    "place": "pinned",
+    "orientation": "turn pinned",
+    "band": "on a band",
+    "hold": "held",
+    "joint": "joint locked",
+}
+
+
+def describe_locks(document: Document) -> tuple[str, ...]:
+    """Return a line that says what is locked, or nothing."""
+    if not document.locks:
+        return ()
+    words = [f"{spoken_limb(document.figure, lock.limb)} {_LOCKED[kind_of(lock)]}" for lock in document.locks]
+    return (f"Locked: {', '.join(words)}",)
 
 
 def spoken_limb(figure: Figure, index: int) -> str:

@@ -10,10 +10,13 @@ from layfigure.session.frame import (
     Button,
     ChoiceBar,
     HelpOverlay,
+    JointBall,
+    JointCircle,
     Label,
     Outline,
     PaletteOverlay,
     QuestionOverlay,
+    Sign,
     Size,
     SliderBar,
     WorldLine,
@@ -24,6 +27,7 @@ from layfigure_frontends.sdl.fonts import Face, fitted, text_width, wrapped
 from layfigure_frontends.sdl.help_page import HelpLine, columns, help_lines
 from layfigure_frontends.sdl.outlines import paint_outline
 from layfigure_frontends.sdl.painter import paint
+from layfigure_frontends.sdl.signs import paint_signs
 from layfigure_frontends.sdl.theme import Theme, load_theme
 from layfigure_frontends.sdl.widgets import paint_widget
 
@@ -38,6 +42,11 @@ WIDGETS = [
     *(SliderBar(BOX, LONG, "x", value, 0, 100, 5, "-  +", " %") for value in (-10, 0, 55, 100, 300)),
     SliderBar(BOX, "Empty", "x", 3, 3, 3, 1),
     ChoiceBar(BOX, LONG, "x", (("a", LONG), ("b", LONG), ("c", "C")), "b", "T"),
+    JointBall(BOX, LONG, "x", (30.0, -150.0, 7.0), (-180.0, -180.0), (180.0, 180.0)),
+    JointBall(BOX, LONG, "x", (0.0, 180.0, 0.0), (0.0, 180.0), (0.0, 180.0)),
+    JointCircle(BOX, LONG, "x", (-179.0, 0.0, 0.0), 0, -180.0, 180.0),
+    JointCircle(BOX, LONG, "x", (0.0, 0.0, 40.0), 2, 40.0, 40.0),
+    JointCircle(BOX, LONG, "x", (0.0, 0.0, 0.0), -1),
 ]  # fmt: skip
 
 
@@ -161,9 +170,33 @@ def test_a_surface_with_its_colours_in_another_order_shows_the_same(session, fra
 def test_lines_of_plugins_are_drawn(session, frame_of):
     size = Size(640, 400)
     surface = pygame.Surface((640, 400), 0, 32)
-    frame = frame_of(size, widgets=(), panes=(), outlines=(), lines=(WorldLine(50, 50, 250, 50, Rectangle(0, 0, 300, 300), (255, 0, 0)),))
-    paint(surface, frame, session.draw)
+    lines = (WorldLine(50, 50, 350, 50, Rectangle(0, 0, 300, 300), (255, 0, 0)),)
+    paint(surface, frame_of(size, widgets=(), panes=(), outlines=(), lines=lines), session.draw)
     assert surface.get_at((150, 50))[0] > 200
+    assert surface.get_at((330, 50)) == surface.get_at((330, 150)), "a line ends where its view ends"
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0])
+def test_every_role_has_a_sign_of_its_own_shape_and_stays_in_its_view(session, frame_of, scale):
+    shapes_seen = set()
+    for role in ("goal", "pin", "orientation", "band", "hold", "joint", "guide"):
+        surface = pygame.Surface((200, 200), 0, 32)
+        signs = (Sign(60, 60, role, Rectangle(0, 0, 100, 100)), Sign(150, 150, role, Rectangle(0, 0, 100, 100)))
+        paint_signs(Canvas(surface, load_theme("dark"), scale), frame_of(Size(200, 200), signs=signs))
+        left, top, right, bottom = changed(surface, np.zeros((200, 200)))
+        assert 40 <= left < 60 < right <= 80 and 40 <= top < 60 < bottom <= 80
+        shapes_seen.add((pixels(surface) != 0).tobytes())
+    assert len(shapes_seen) == 7
+
+
+def test_a_joint_ball_shows_where_the_joint_stands_and_what_is_allowed():
+    canvas = canvas_of((200, 200))
+    box = Rectangle(20, 20, 160, 160)
+    paint_widget(canvas, JointBall(box, "Ball", "set x", (90.0, 0.0, 0.0), (0.0, -60.0), (120.0, 60.0)))
+    up = round(100 - 64 * np.sin(np.radians(45)))
+    assert canvas.surface.get_at((100, up))[:3] == canvas.theme.accent
+    assert canvas.surface.get_at((110, 90))[:3] == canvas.theme.accent_quiet
+    assert canvas.surface.get_at((110, 130))[:3] == canvas.theme.raised
 
 
 def test_a_long_status_is_cut_and_the_hints_that_do_not_fit_are_left_out(session, frame_of):

@@ -11,6 +11,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import limit_of
 from layfigure.plugins.records import Command
+from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import mirrored
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
@@ -46,7 +47,7 @@ def _rest(session: Session, words: tuple[str, ...]) -> None:
     session.say(f"Back to rest: {', '.join(spoken_limb(figure, limb) for limb in chosen)}.")
 
 
-def _set(session: Session, words: tuple[str, ...]) -> None:
+def _set(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     figure = session.document.figure
     (limb,) = limbs(session, words[:1], 0)
     angles = _angles(session, limb, words)
@@ -55,6 +56,7 @@ def _set(session: Session, words: tuple[str, ...]) -> None:
     else:
         moved = session.document.pose.with_joint(limb, *angles)
         session.set_pose(f"set {figure.names[limb]}", PoseSet(moved, limbs=(limb,)))
+    return (words[0], *map(plain, angles))
 
 
 def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float, float, float]:
