@@ -52,7 +52,7 @@ def direct_pass(chain: Chain, stance: Stance, goal: Vector) -> Stance:
 
 
 PASSES: tuple[Callable[[Chain, Stance, Vector], Stance], ...] = (thesis_pass, direct_pass)
-"""Tried in this order until one brings the tip nearer."""
+"""In the order in which they are tried."""
 
 
 def stand(chain: Chain, stance: Stance) -> Standing:

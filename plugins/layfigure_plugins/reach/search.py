@@ -22,8 +22,14 @@ LEAST = 0.01
 SLOW = 0.1
 """Where passes close less than this share of the gap the chain has done what it can, and the root is carried."""
 
+GOOD = 0.3
+"""A pass that closes this share of the gap is taken at once; else the other kind is tried too, and the better kept."""
+
 LARGEST_TURN = 20.0
 """No joint turns farther in one step of a drag, in degrees."""
+
+Pass = Callable[[Chain, Stance, Vector], Stance]
+Pulls = list[tuple[PositionTask, Chain]]
 
 
 class Place(NamedTuple):
@@ -48,6 +54,7 @@ class Search:
         self._pairs = [(task, skeleton.chain(pose, task.limb, self._joints)) for task in tasks]
         # Musts come last in a round, so that rubber bands yield to them.
         self._pulls = sorted((pair for pair in self._pairs if pair[0].weight > 0.0), key=lambda pair: pair[0].weight)
+        self._musts = [pair for pair in self._pulls if pair[0].weight >= 1.0]
         x, y, z = pose.translation.tolist()
         self.start = self._place(stance, (x, y, z))
         reach = max((chain.reach for _, chain in self._pulls), default=0.0)
@@ -86,15 +93,24 @@ class Search:
         Frame correlation: a configuration that is no closer than the last is discarded, so limbs do not jump. Joints
         turn by ``largest`` degrees at most.
         """
-        nearer = place
-        for one_pass in PASSES:
-            found = self._place(self._limited(place.stance, self._passed(one_pass, place), largest), place.root)
-            if found.gap < place.gap - self._least:
-                nearer = found
-                break
+        nearer = self._nearer(place, self._pulls, largest)
+        if nearer is place and len(self._musts) < len(self._pulls):
+            nearer = self._nearer(place, self._musts, largest)
         if self.problem.root_moves and nearer.gap > place.gap * (1.0 - SLOW):
             return self._carried(nearer, largest)
         return nearer
+
+    def _nearer(self, place: Place, pulls: Pulls, largest: float) -> Place:
+        """Return the nearest place that a pass along the chains of ``pulls`` leads to, or ``place`` itself."""
+        best = place
+        for one_pass in PASSES:
+            stance = self._limited(place.stance, self._passed(one_pass, place, pulls), largest)
+            found = self._place(stance, place.root)
+            if found.gap < best.gap - self._least:
+                best = found
+            if best.gap < place.gap * (1.0 - GOOD):
+                break
+        return best
 
     def from_the_middle(self, share: float) -> Place:
         """Return another place to start from: every joint of a chain a share of the way to its limits' middle."""
@@ -122,9 +138,9 @@ class Search:
                 gap += task.weight * length(subtract(_goal(task, chain, root), tip))
         return Place(stance, root, tuple(errors), gap)
 
-    def _passed(self, one_pass: Callable[[Chain, Stance, Vector], Stance], place: Place) -> Stance:
+    def _passed(self, one_pass: Pass, place: Place, pulls: Pulls) -> Stance:
         stance = place.stance
-        for task, chain in self._pulls:
+        for task, chain in pulls:
             goal = _goal(task, chain, place.root)
             if chain.reach > 0.0 and length(subtract(goal, chain.tip(stance))) > self.problem.tolerance:
                 stance = one_pass(chain, stance, goal)
@@ -146,7 +162,8 @@ class Search:
             rest = add(rest, scale(missing, task.weight / total))
         moved = self._place(place.stance, self._bounded(add(place.root, rest)))
         if len(self._pulls) > 1:  # the others follow before it is judged whether that was any good
-            moved = self._place(self._limited(place.stance, self._passed(PASSES[0], moved), largest), moved.root)
+            after = self._passed(PASSES[0], moved, self._pulls)
+            moved = self._place(self._limited(place.stance, after, largest), moved.root)
         return moved if moved.gap < place.gap - self._least else place
 
     def _bounded(self, root: Vector) -> Vector:
