@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from layfigure.figures.figure import Limb, limb_limits
-from layfigure_plugins.reach.vectors import Matrix, Vector, apply, dot, quaternion_matrix
+from layfigure_plugins.reach.vectors import Matrix, Vector, apply, cross, dot, quaternion_matrix
 
 Angles = tuple[float, float, float]
 """Flexion, pivot, twist in degrees."""
@@ -91,8 +91,17 @@ class Joint:
         if found == _swing_angles(x, y, z):
             return found
         # A limit was in the way. The same rotation seen from beyond the equator may be nearer to what is allowed.
-        other = self._inside(*_swing_angles(-x, 0.0, -z))
-        return max((found, other), key=lambda swing: dot(self.carried((*swing, 0.0), w), u))
+        tried = [found, self._inside(*_swing_angles(-x, 0.0, -z))]
+        tried += [self._slid(swing, w, u) for swing in tried]
+        return max(tried, key=lambda swing: dot(self.carried((*swing, 0.0), w), u))
+
+    def _slid(self, swing: tuple[float, float], w: Vector, u: Vector) -> tuple[float, float]:
+        """Return (flexion, pivot) slid along the limit it stands at, to where w comes nearest to u."""
+        flexion, pivot = swing
+        if flexion in self._bounds[0]:
+            return self._inside(flexion, _best_across(flexion, pivot, w, u))
+        # Exchanging x and z exchanges flexion and pivot.
+        return self._inside(_best_across(pivot, flexion, w[::-1], u[::-1]), pivot)
 
     def between(self, start: Angles, end: Angles, share: float) -> Angles:
         """Return angles a share of the way from ``start`` to ``end``: legal in is legal out (posing.md 1)."""
@@ -187,6 +196,29 @@ def half_vector(flexion: float, pivot: float) -> Vector:
     minus = max(180.0 - abs(flexion - pivot), 0.0)
     height = math.sqrt(math.sin(math.radians(plus) / 2) * math.sin(math.radians(minus) / 2))
     return (math.sin(math.radians(flexion) / 2), height, math.sin(math.radians(pivot) / 2))
+
+
+def _best_across(flexion: float, pivot: float, w: Vector, u: Vector) -> float:
+    """Return the pivot near ``pivot`` that, at a fixed flexion, swings the unit vector w nearest to u; in degrees.
+
+    With the half vector at (sin f/2, r cos a, r sin a), u . R w is a sum of sines and cosines of a and 2 a: Newton's
+    ascent finds its top.
+    """
+    z, r = -math.sin(math.radians(flexion) / 2), math.cos(math.radians(flexion) / 2)
+    if r < _POLE:
+        return pivot
+    k = cross(w, u)
+    c2, s2 = r * r * (dot(w, u) - w[0] * u[0]), r * r * k[0]
+    c1, s1 = 2 * r * z * k[2], 2 * r * z * (w[0] * u[2] + w[2] * u[0])
+    a = math.asin(min(max(math.sin(math.radians(pivot) / 2) / r, -1.0), 1.0))
+    for _ in range(5):
+        c, s, cc, ss = math.cos(a), math.sin(a), math.cos(2 * a), math.sin(2 * a)
+        slope = 2 * (s2 * cc - c2 * ss) + s1 * c - c1 * s
+        curve = abs(4 * (c2 * cc + s2 * ss) + c1 * c + s1 * s)
+        if curve < _POLE * abs(slope):
+            break
+        a = min(max(a + min(max(slope / (curve + 1e-12), -0.3), 0.3), -math.pi / 2), math.pi / 2)
+    return math.degrees(2 * math.asin(min(max(r * math.sin(a), -1.0), 1.0)))
 
 
 def _swing_angles(x: float, y: float, z: float) -> tuple[float, float]:

@@ -66,6 +66,17 @@ def test_no_swing_leaves_the_limits_or_the_domain(aim):
     assert abs(flexion) + abs(pivot) <= 180.0
 
 
+@given(st.floats(-100.0, 100.0), st.floats(-100.0, 100.0))
+def test_at_a_limit_a_swing_slides_on_to_the_nearest_direction(flexion, pivot):
+    assume(abs(flexion) + abs(pivot) < 150.0)
+    hand = joint("flexiondof -45 45 pivotdof -70 70")
+    aim = tuple(rotations([flexion, pivot, 0.0])[:, 1].tolist())
+    found = hand.swing((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), aim)
+    grid = [(f, p, 0.0) for f in np.linspace(-45, 45, 19) for p in np.linspace(-70, 70, 19)]
+    best = max(rotations(grid)[:, :, 1] @ aim)
+    assert np.dot(hand.carried(found, (0.0, 1.0, 0.0)), aim) >= best - 0.01
+
+
 @given(st.floats(90.0, 269.0))
 def test_an_arm_follows_over_the_top_to_its_limit_and_does_not_flip_down(degrees):
     arm = joint("flexiondof -60 80 pivotdof 0 180")
