@@ -156,10 +156,7 @@ class Inverse:
         if goal.limb and not follow.movable:
             name = self.figure.names[goal.limb]
             raise ImpossibleError(f"nothing that the {name} hangs on may move; enable or unlock a limb of its chain")
-        if goal.dragging:
-            solution = self._dragged(state, goal, follow)
-        else:
-            solution = self.bench.solver(state.solver).solve(state.pose, self._problem(state, goal, follow))
+        solution = self._dragged(state, goal, follow) if goal.dragging else self._solved(state, goal, follow)
         if broken(self.figure, solution.pose, follow.locks):
             raise ImpossibleError("the locks do not allow that; release one, or lengthen the chain")
         missed = solution.errors[0]
@@ -179,6 +176,14 @@ class Inverse:
         if any(isinstance(lock, Pin) and lock.limb == goal.limb for lock in state.locks):
             raise ImpossibleError(f"the {self.figure.names[goal.limb]} is pinned in its place; release it first")
 
+    def _solved(self, state: InverseState, goal: Goal, follow: Following) -> Solution:
+        """Meet the goal with all locks if that can be done, else come as near to it as they let."""
+        solver = self.bench.solver(state.solver)
+        solution = solver.solve(state.pose, self._problem(state, goal, follow, 1.0))
+        if solution.met or not follow.locks:
+            return solution
+        return solver.solve(state.pose, self._problem(state, goal, follow, YIELDING))
+
     def _dragged(self, state: InverseState, goal: Goal, follow: Following) -> Solution:
         """Follow the pointer in strides, so that a jump of the pointer is no jump of the limbs."""
         solver = self.bench.solver(state.solver)
@@ -189,14 +194,17 @@ class Inverse:
         solution = Solution(state.pose, (float(np.linalg.norm(way)),), met=False, memory=state.memory)
         for number in range(1, count + 3):
             x, y, z = (begin + way * min(number / count, 1.0)).tolist()
-            problem = self._problem(state, replace(goal, position=(x, y, z)), follow)
-            solution = solver.step(solution.pose, problem, solution.memory)
+            aimed = replace(goal, position=(x, y, z))
+            problem = self._problem(state, aimed, follow, 1.0)
+            before, solution = solution, solver.step(solution.pose, problem, solution.memory)
+            if follow.locks and not solution.met:
+                problem = self._problem(state, aimed, follow, YIELDING)
+                solution = solver.step(before.pose, problem, before.memory)
             if number >= count and solution.errors[0] <= problem.tolerance:
                 break
         return solution
 
-    def _problem(self, state: InverseState, goal: Goal, follow: Following) -> Problem:
-        weight = YIELDING if follow.locks else 1.0
+    def _problem(self, state: InverseState, goal: Goal, follow: Following, weight: float) -> Problem:
         tasks: tuple[Task, ...] = (PositionTask(goal.limb, goal.position, weight),)
         if state.aim and self.figure.limbs[goal.limb].length:
             tasks += (DirectionTask(goal.limb, self._direction(state.pose, goal.limb), YIELDING / 2),)
