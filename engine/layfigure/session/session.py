@@ -289,8 +289,11 @@ class Session:
         return spoken(keys[0]) if keys else ""
 
     def hints(self) -> tuple[tuple[str, str], ...]:
-        """Return the few keys worth showing in the status line now."""
-        shown = [binding for binding in self.key_table().valid(self.situation) if binding.hint]
+        """Return the few keys worth showing in the status line now; what a technique's own keys hide is left out."""
+        table, now = self.key_table(), self.situation
+        valid = list(table.valid(now))
+        taken = {key for binding in valid if binding.technique for key in binding.keys}
+        shown = [each for each in valid if each.hint and (each.technique or each.keys[0] not in taken)]
         return tuple(
             (
                 f"{spoken(binding.keys[0])}–{spoken(binding.keys[-1])}"

@@ -208,6 +208,7 @@ class Stage:
             if pane.candidate >= 0 and pane.view == "main":
                 box = Rectangle(pane.rectangle.x, pane.rectangle.y, round(26 * unit), round(26 * unit))
                 yield Label(box, str(pane.candidate + 1), "number", "centre")
+                yield from _badge(offer, pane, unit)
             if pane.candidate < 0 and pane.rectangle.width >= 60 * unit and place.poser.width >= 200 * unit:
                 box = pane.rectangle
                 yield Label(
@@ -244,6 +245,15 @@ class Stage:
             yield Outline(_around(chosen), "chosen")
         if self._session.mode.state == "orbit":
             yield from (Outline(pane.rectangle, "focus") for pane in panes if pane.view == "main")
+
+
+def _badge(offer: Offer, pane: Pane, unit: float) -> Iterator[Widget]:
+    """Yield what the technique notes on a candidate, beside its number."""
+    text = offer.badges[pane.candidate] if pane.candidate < len(offer.badges) else ""
+    if text:
+        box, number = pane.rectangle, round(30 * unit)
+        beside = Rectangle(box.x + number, box.y, box.width - number - round(6 * unit), round(26 * unit))
+        yield Label(beside, text, "text", "right")
 
 
 def _views(place: Areas, offer: Offer, unit: float, *, skeleton: bool) -> Iterator[tuple[int, str, Rectangle]]:

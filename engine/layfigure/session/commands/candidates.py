@@ -10,7 +10,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.plugins.records import Command
 from layfigure.session.describing import spoken_limb
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required, whole_number
-from layfigure.techniques.contract import Best, LimbPick
+from layfigure.techniques.contract import Best, Grade, LimbPick
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -23,10 +23,14 @@ def candidate(session: Session, words: tuple[str, ...], index: int = 0) -> int:
         ImpossibleError: the technique in use offers no candidates.
         WordError: there is no such candidate.
     """
+    return whole_number(words, index, "a candidate", (1, _count(session))) - 1
+
+
+def _count(session: Session) -> int:
     count = len(session.offer().candidates)
     if not count:
         raise ImpossibleError("there are no candidates to choose from here")
-    return whole_number(words, index, "a candidate", (1, count)) - 1
+    return count
 
 
 def limbs(session: Session, words: tuple[str, ...], first: int) -> tuple[int, ...]:
@@ -87,10 +91,45 @@ def _best(session: Session, words: tuple[str, ...]) -> None:
     session.say(f"Took the whole of candidate {number_ + 1}.")
 
 
+def _grade(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
+    record = session.workshop.record(session.document.technique)
+    if "grade" not in record.channels:
+        raise ImpossibleError(f"the technique {record.title} takes no grades; copy limbs or take a whole candidate")
+    if len(words) > 1:
+        number_ = candidate(session, words)
+        return _give(session, number_, words, 1)
+    number_ = _beside(session, 0)
+    logged = _give(session, number_, words, 0)
+    session.view = replace(session.view, candidate=_beside(session, 1))
+    return logged
+
+
+def _give(session: Session, number_: int, words: tuple[str, ...], index: int) -> tuple[str, ...]:
+    """Grade a candidate with the last word, at ``index``; return the words to log."""
+    grade = whole_number(words, index, "a grade", (0, 10))
+    no_more(words, index + 1)
+    session.tell(f"grade candidate {number_ + 1}: {grade}", Grade(number_, grade))
+    session.say(f"Candidate {number_ + 1} has {grade} of 10.")
+    return (str(number_ + 1), str(grade))
+
+
 def _choose(session: Session, words: tuple[str, ...]) -> None:
-    number_ = candidate(session, words)
+    if words[:1] in (("next",), ("previous",)):
+        number_ = _beside(session, 1 if words[0] == "next" else -1)
+    else:
+        number_ = candidate(session, words)
     no_more(words, 1)
     session.view = replace(session.view, candidate=number_)
+
+
+def _beside(session: Session, step: int) -> int:
+    """Return the candidate ``step`` places after the chosen one; the first follows the last.
+
+    Raises:
+        ImpossibleError: the technique in use offers no candidates.
+    """
+    count = _count(session)
+    return (min(session.view.candidate, count - 1) + step) % count
 
 
 def _pick_in(session: Session, words: tuple[str, ...]) -> None:
@@ -150,7 +189,8 @@ COMMANDS = (
     Command("pick", "Copy limbs from a candidate", _pick, "CANDIDATE LIMB…", logged=True),
     Command("vary", "Copy limbs and let them vary a little", _vary, "CANDIDATE swing|twist LIMB…", logged=True),
     Command("best", "Take a whole candidate", _best, "CANDIDATE", logged=True),
-    Command("choose", "Choose a candidate", _choose, "CANDIDATE"),
+    Command("grade", "Grade a candidate, or the chosen one and go on", _grade, "[CANDIDATE] 0…10", logged=True),
+    Command("choose", "Choose a candidate", _choose, "CANDIDATE|next|previous"),
     Command("copy", "Copy the selected limbs from the chosen candidate", _copy, "[swing|twist]"),
     Command("copy-all", "Take the chosen candidate as a whole", _copy_all),
     Command("pick-in", "Copy the limbs inside a rectangle", _pick_in, "plain|swing|twist CANDIDATE VIEW X Y W H"),
