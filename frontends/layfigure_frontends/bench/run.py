@@ -12,6 +12,7 @@ _AREAS = {
     "drawing": "layfigure_frontends.bench.drawing",
     "kinematics": "layfigure_frontends.bench.kinematics",
     "generator": "layfigure_frontends.bench.generator",
+    "posing": "layfigure_frontends.bench.posing",
     "startup": "layfigure_frontends.bench.startup",
 }
 
