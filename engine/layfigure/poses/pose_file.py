@@ -16,7 +16,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from pathlib import Path
 
 import numpy as np
@@ -61,8 +61,8 @@ def load_pose(path: Path) -> tuple[Figure, Pose]:
     return read_pose(read_text(path, maximum_bytes=MAXIMUM_POSE_BYTES), path)
 
 
-def write_pose(figure: Figure, pose: Pose, folder: Path | None = None) -> str:
-    """Return the text of a pose that is to lie in ``folder`` (the present one if None).
+def write_pose(figure: Figure, pose: Pose, folder: Path | None = None, limbs: Container[int] | None = None) -> str:
+    """Return the text of a pose that is to lie in ``folder`` (the present one if None); of some ``limbs``, if named.
 
     Raises:
         LayfigureError: the pose cannot belong to the figure.
@@ -71,6 +71,8 @@ def write_pose(figure: Figure, pose: Pose, folder: Path | None = None) -> str:
     exists = existing_angles(figure)
     lines = [f"layfigure pose {VERSION}", f"figure {figure_reference(figure, folder)}"]
     for limb in figure.selectable:
+        if limbs is not None and limb not in limbs:
+            continue
         words = [figure.names[limb]] if limb else [ROOT, *map(_decimal, translation)]
         for kind in np.flatnonzero(exists[limb]):
             words += [DOF_KINDS[kind], _decimal(angles[limb, kind])]
@@ -100,7 +102,19 @@ def read_pose(text: str, source: str | Path, figure_loader: FigureLoader | None 
     Raises:
         SourceError: the first mistake, with line, column, what was found and what could stand there.
     """
-    return _Reader(text, source, figure_loader or _loader_beside(source)).pose()
+    figure, pose, _ = read_joints(text, source, figure_loader)
+    return figure, pose
+
+
+def read_joints(
+    text: str, source: str | Path, figure_loader: FigureLoader | None = None
+) -> tuple[Figure, Pose, tuple[int, ...]]:
+    """Return what :func:`read_pose` returns, and which limbs the text names, in figure order.
+
+    Raises:
+        SourceError: as for :func:`read_pose`.
+    """
+    return _Reader(text, source, figure_loader or _loader_beside(source)).joints()
 
 
 def _loader_beside(source: str | Path) -> FigureLoader:
@@ -122,7 +136,7 @@ class _Reader:
         self._words = WordReader(text, source, lines=True)
         self._load = load
 
-    def pose(self) -> tuple[Figure, Pose]:
+    def joints(self) -> tuple[Figure, Pose, tuple[int, ...]]:
         self._header()
         figure = self._figure()
         angles = np.zeros((len(figure.limbs), 3))
@@ -137,7 +151,7 @@ class _Reader:
             if limb == 0:
                 translation[:] = [self._words.number(f"{axis} of the root", MAXIMUM_DISTANCE) for axis in "xyz"]
             angles[limb] = self._angles(figure, limb)
-        return figure, Pose.of(angles, translation)
+        return figure, Pose.of(angles, translation), tuple(sorted(seen))
 
     def _next_line(self) -> Word | None:
         """Return the first word of the next line that has one, or None at the end."""

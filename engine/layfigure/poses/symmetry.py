@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Iterable
 from functools import lru_cache
 
 import numpy as np
@@ -19,13 +20,36 @@ def flipped(figure: Figure, pose: Pose) -> Pose:
     Twins exchange their angles as they are (a mirrored limb mirrors the sense, posing.md 1); a limb in the middle has
     the signs of its angles changed. The root keeps its place with x negated.
     """
-    partners, signs = _mirror_map(figure)
+    partners, signs = mirror_map(figure)
     return Pose.of(pose.angles[partners] * signs, pose.translation * [-1.0, 1.0, 1.0])
 
 
+def mirrored_joints(figure: Figure, pose: Pose, limbs: Iterable[int]) -> tuple[Pose, tuple[int, ...]]:
+    """Return a pose whose named joints stand as the mirror images of ``limbs`` do in ``pose``, and their names.
+
+    Only the limbs named are to be taken from it; what else it holds is the rest of the mirrored pose.
+    """
+    partners, _ = mirror_map(figure)
+    return flipped(figure, pose), tuple(sorted(int(partners[limb]) for limb in limbs))
+
+
+def with_twins(figure: Figure, before: Pose, after: Pose, held: Container[int]) -> tuple[Pose, tuple[int, ...]]:
+    """Return ``after`` with every joint that changed mirrored onto a twin that did not, and the twins that moved.
+
+    A limb in the middle stays as it was edited, and so do twins that are ``held`` or that changed themselves.
+    """
+    partners, _ = mirror_map(figure)
+    changed = (before.angles != after.angles).any(axis=1)
+    twins = [twin for twin, limb in enumerate(partners) if twin != limb and changed[limb] and not changed[twin]]
+    moved = after.with_joints_of(flipped(figure, after), [twin for twin in twins if twin not in held])
+    return moved, tuple(np.flatnonzero((moved.angles != after.angles).any(axis=1)).tolist())
+
+
 @lru_cache(maxsize=16)
-def _mirror_map(figure: Figure) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Return each limb's mirror image across x = 0 (n,) and the signs (n, 3) its angles take in the image.
+def mirror_map(figure: Figure) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Return each limb's mirror image across x = 0 (n,) and the signs (n, 3) that angles take there; read-only.
+
+    A limb in the middle, or one that nothing mirrors, is its own image.
 
     A rotation R of the image reads N R N in the limb's canonical space, where N = diag(s) is the mirror seen from
     there. It takes the direction D to s1 N D, and the twist about +Y to one about det(N) s1 Y.
@@ -38,7 +62,9 @@ def _mirror_map(figure: Figure) -> tuple[NDArray[np.int64], NDArray[np.float64]]
         partners.append(partner)
         s = np.diag(frames[limb.index].T @ _MIRROR @ frames[partner])
         signs[limb.index] = (s[0] * s[1], s[1] * s[2], s[0] * s[2])
-    return np.array(partners), signs
+    images = np.array(partners)
+    images.flags.writeable = signs.flags.writeable = False
+    return images, signs
 
 
 def _partner(figure: Figure, index: int, partners: list[int]) -> int:
