@@ -131,11 +131,15 @@ class Outline:
 
 @dataclass(frozen=True)
 class HelpOverlay:
-    """Modal help: sections of (title, ((key, what it does), ...)). ``scroll`` is the first line shown."""
+    """A modal page: sections of (title, ((key, what it does), ...)). ``scroll`` is the first line shown.
+
+    Where ``keys`` is false the rows begin with amounts rather than keys, to be written and not drawn as key caps.
+    """
 
     title: str
     sections: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
     scroll: int = 0
+    keys: bool = True
 
 
 @dataclass(frozen=True)

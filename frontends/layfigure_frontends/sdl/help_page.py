@@ -1,4 +1,4 @@
-"""Paints the help page: sections of keys and what they do, flowing through columns."""
+"""Paints the help page and its like: sections of keys and what they do, flowing through columns."""
 
 from __future__ import annotations
 
@@ -67,19 +67,23 @@ def paint_help(canvas: Canvas, overlay: HelpOverlay, size: Size) -> None:
     _paint_page(canvas, overlay.title, box)
     for index, part in enumerate(parts):
         left = box.x + edge + index * (column + edge)
-        _paint_column(canvas, part, Rectangle(left, box.y + pixels(HEADING), column, length * pixels(LINE)))
-    if start + sum(map(len, parts)) < len(lines):
+        place = Rectangle(left, box.y + pixels(HEADING), column, length * pixels(LINE))
+        _paint_column(canvas, part, place, caps=overlay.keys)
+    if _written(*parts) < _written(lines[start:]):
         _paint_more(canvas, box)
 
 
 def _least_length(lines: list[HelpLine], count: int, room: int) -> int:
     """The shortest columns that hold every line."""
-    wanted = sum(1 for line in lines if line != HelpLine())
     for length in range(-(-len(lines) // count), room):
-        held = sum(1 for part in columns(lines, count, length) for line in part if line != HelpLine())
-        if held == wanted:
+        if _written(*columns(lines, count, length)) == _written(lines):
             return length
     return room
+
+
+def _written(*parts: list[HelpLine]) -> int:
+    """Count the lines that say something; room between sections may be left out at the top of a column."""
+    return sum(line != HelpLine() for part in parts for line in part)
 
 
 def _paint_page(canvas: Canvas, title: str, box: Rectangle) -> None:
@@ -93,15 +97,18 @@ def _paint_page(canvas: Canvas, title: str, box: Rectangle) -> None:
     canvas.text(heading, title, TITLE, theme.text)
 
 
-def _paint_column(canvas: Canvas, lines: list[HelpLine], box: Rectangle) -> None:
+def _paint_column(canvas: Canvas, lines: list[HelpLine], box: Rectangle, *, caps: bool) -> None:
     height, theme = canvas.pixels(LINE), canvas.theme
     for index, line in enumerate(lines):
         row = Rectangle(box.x, box.y + index * height, box.width, height)
         if not line.keys:
             canvas.text(row, line.text, STRONG, theme.accent)
             continue
-        cap = canvas.keys_width(line.keys)
-        canvas.keys(row.x + row.width - cap, row.y + height // 2, line.keys)
+        if caps:
+            cap = canvas.keys_width(line.keys)
+            canvas.keys(row.x + row.width - cap, row.y + height // 2, line.keys)
+        else:
+            cap = canvas.text(row, line.keys, TEXT, theme.muted, "right")
         text = Rectangle(row.x, row.y, max(row.width - cap - canvas.pixels(12), 0), height)
         canvas.text(text, line.text, TEXT, theme.text)
 

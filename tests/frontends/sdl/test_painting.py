@@ -21,7 +21,7 @@ from layfigure.session.frame import (
     SliderBar,
     WorldLine,
 )
-from layfigure_frontends.sdl import shapes
+from layfigure_frontends.sdl import help_page, shapes
 from layfigure_frontends.sdl.canvas import Canvas
 from layfigure_frontends.sdl.fonts import Face, fitted, text_width, wrapped
 from layfigure_frontends.sdl.help_page import HelpLine, columns, help_lines
@@ -263,6 +263,26 @@ def test_help_columns_keep_every_line_and_never_end_with_a_title():
         assert kept == [line for line in lines if line != HelpLine()]
         assert all(part[-1].keys for part in parts)
         assert all(len(part) <= length for part in parts)
+
+
+@pytest.mark.parametrize("height", range(300, 1000, 50))
+def test_more_is_promised_exactly_where_lines_are_hidden(session, frame_of, monkeypatch, height):
+    shown, promised = [], []
+    monkeypatch.setattr(help_page, "_paint_column", lambda canvas, part, box, caps: shown.extend(part))
+    monkeypatch.setattr(help_page, "_paint_more", lambda canvas, box: promised.append(True))
+    overlay = HelpOverlay("Keys", SECTIONS)
+    paint(pygame.Surface((1280, height), 0, 32), frame_of(Size(1280, height), overlay=overlay), session.draw)
+    hidden = {line.text for line in help_lines(overlay)} - {line.text for line in shown} - {""}
+    assert bool(promised) == bool(hidden)
+
+
+@pytest.mark.parametrize("keys", [True, False])
+def test_amounts_are_written_and_not_drawn_as_keys(session, frame_of, keys):
+    surface = pygame.Surface((1280, 800), 0, 32)
+    overlay = HelpOverlay("Compared", SECTIONS, keys=keys)
+    paint(surface, frame_of(Size(1280, 800), overlay=overlay), session.draw)
+    cap = surface.map_rgb(load_theme("dark").key)
+    assert bool((pixels(surface)[200:1080, 60:700] == cap).any()) == keys
 
 
 def test_a_text_is_cut_only_where_it_must_be():
