@@ -16,7 +16,7 @@ STATES = ("pose", "orbit", "help", "palette", "question")
 
 @dataclass(frozen=True)
 class Binding:
-    """Keys that run a command line. ``{key}`` in the command stands for the key pressed.
+    """Keys that run a command line. ``{key}`` in the command stands for the key pressed, without its modifiers.
 
     ``technique``, ``channel`` (a kind of event the technique understands) and ``frontend`` narrow the binding down;
     empty means any. ``hint`` is the word or two that the status line shows for it, if any.
@@ -31,6 +31,10 @@ class Binding:
     frontend: str = ""
     hint: str = ""
     channel: str = ""
+
+    def line(self, key: str) -> str:
+        """Return the command line that one of the keys means."""
+        return self.command.replace("{key}", _parts(key)[-1])
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,7 @@ class KeyTable:
         for binding in self.valid(situation):
             if key in binding.keys and (best is None or bool(binding.technique) >= bool(best.technique)):
                 best = binding
-        return best.command.replace("{key}", key) if best else None
+        return best.line(key) if best else None
 
     def valid(self, situation: Situation) -> Iterator[Binding]:
         """Yield the bindings that apply in a situation."""
@@ -137,16 +141,21 @@ def spoken(key: str) -> str:
     """Return a key's name as help pages print it: ``ctrl+shift+z`` becomes ``Ctrl-Shift-Z``."""
     if key in _NAMES:
         return _NAMES[key]
-    *modifiers, base = key.split("+") if not key.endswith("+") else [*key[:-1].rstrip("+").split("+"), "+"]
+    *modifiers, base = _parts(key)
     shown = _NAMES.get(base, base.upper() if len(base) == 1 or base.startswith("f") else base.capitalize())
     return "-".join([*(modifier.capitalize() for modifier in modifiers if modifier), shown])
 
 
 def spoken_keys(keys: tuple[str, ...]) -> str:
     """Return keys as help pages print them; a run of digits as ``1 … 9``."""
-    if len(keys) > 3 and all(len(key) == 1 and key.isdigit() for key in keys):
-        return f"{keys[0]} … {keys[-1]}"
+    if len(keys) > 3 and all(_parts(key)[-1].isdigit() and _parts(key)[:-1] == _parts(keys[0])[:-1] for key in keys):
+        return f"{spoken(keys[0])} … {_parts(keys[-1])[-1]}"
     return "  ".join(spoken(key) for key in keys)
+
+
+def _parts(key: str) -> list[str]:
+    """Return the modifiers of a key and its name."""
+    return key.split("+") if not key.endswith("+") else [*filter(None, key[:-1].split("+")), "+"]
 
 
 _NAMES = {

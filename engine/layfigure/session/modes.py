@@ -150,8 +150,8 @@ def help_page(table: KeyTable, situation: Situation, titles: dict[str, str]) -> 
     """Return the help of everything that works in a situation; ``titles`` names commands without a title of theirs."""
     groups: dict[str, list[tuple[str, str]]] = {}
     for binding in table.valid(situation):
-        example = binding.command.replace("{key}", binding.keys[0] if binding.keys else "")
-        mine = [key for key in binding.keys if table.resolve(key, situation) == binding.command.replace("{key}", key)]
+        example = binding.line(binding.keys[0]) if binding.keys else binding.command
+        mine = [key for key in binding.keys if table.resolve(key, situation) == binding.line(key)]
         if mine:
             title = binding.title or titles.get(example.split()[0], example)
             groups.setdefault(binding.group, []).append((spoken_keys(tuple(mine)), title))

@@ -38,8 +38,14 @@ def test_a_binding_of_one_front_end_is_unknown_to_another():
     assert keys.resolve("ctrl+m", Situation("pose", "generator", "terminal")) is None
 
 
-def test_the_key_pressed_can_stand_in_the_command():
-    assert table(Binding(("1", "2"), "choose {key}")).resolve("2", POSE) == "choose 2"
+def test_the_key_pressed_can_stand_in_the_command_without_its_modifiers():
+    keys = table(Binding(("1", "2", "+", "ctrl+3", "ctrl++"), "choose {key}"))
+    assert [keys.resolve(key, POSE) for key in ("2", "+", "ctrl+3", "ctrl++")] == [
+        "choose 2",
+        "choose +",
+        "choose 3",
+        "choose +",
+    ]
 
 
 def test_keys_for_a_command_leave_out_keys_that_mean_something_else():
@@ -73,6 +79,12 @@ def test_the_shipped_keymap_is_right_and_binds_what_the_documents_promise():
         ":": "palette",
         "ctrl+k": "palette",
         "tab": "next-limb",
+        "|": "symmetric",
+        "c": "copy-limbs",
+        "p": "paste",
+        "shift+p": "paste-mirrored",
+        "ctrl+4": "recall 4",
+        "d": "diff",
         "\\": "opposite-limb",
         "enter": "copy",
         "7": "choose 7",
@@ -116,3 +128,5 @@ def test_keys_are_spoken_as_people_print_them(key, name):
 
 def test_a_run_of_digits_is_spoken_short():
     assert spoken_keys(tuple("123456789")) == "1 … 9"
+    assert spoken_keys(tuple(f"ctrl+{digit}" for digit in "123456789")) == "Ctrl-1 … 9"
+    assert spoken_keys(("1", "2", "3", "ctrl+4")) == "1  2  3  Ctrl-4"
