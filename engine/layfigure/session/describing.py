@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure, Limb
@@ -23,16 +24,22 @@ def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, 
     if not selected:
         kept = len(figure.movable) - len(document.enabled & frozenset(figure.movable))
         state = "every limb may change" if not kept else f"{kept} of {len(figure.movable)} limbs are kept as they are"
-        return ("No limb selected", state, *describe_locks(document))
+        return ("No limb selected", f"{state}{_both_sides(document)}", *describe_locks(document))
     if len(selected) > 1:
-        return (f"{len(selected)} limbs selected", ", ".join(spoken_limb(figure, limb) for limb in selected[:4]))
+        named = ", ".join(spoken_limb(figure, limb) for limb in selected[:4])
+        return (f"{len(selected)} limbs selected", f"{named}{_both_sides(document)}")
     limb = figure.limbs[selected[0]]
     kept_note = "" if limb.index in document.enabled or limb.index == 0 else " (kept)"
     angles = document.pose.angles[limb.index]
     stands = "  ".join(
         f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.dof(kind) or limb.index == 0
     )
-    return (f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}", stands, *describe_locks(document))
+    heading = f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}"
+    return (heading, f"{stands}{_both_sides(document)}", *describe_locks(document))
+
+
+def _both_sides(document: Document) -> str:
+    return "; both sides move alike" if document.symmetric else ""
 
 
 _LOCKED = {
@@ -56,6 +63,12 @@ def spoken_limb(figure: Figure, index: int) -> str:
     """Return a limb's name as people say it: ``leftforearm`` becomes ``left forearm``."""
     name = figure.names[index]
     return re.sub(r"^(left|right|front|hind|rear|back)(?=[a-z])", r"\1 ", name)
+
+
+def listed_limbs(figure: Figure, limbs: Sequence[int]) -> str:
+    """Return the names of up to three limbs as people say them, else their number."""
+    names = [spoken_limb(figure, limb) for limb in limbs]
+    return ", ".join(names) if len(names) <= 3 else f"{len(names)} limbs"
 
 
 def freedom(limb: Limb) -> str:

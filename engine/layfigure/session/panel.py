@@ -24,6 +24,7 @@ class PanelText:
     controls: tuple[Controls, ...]
     offer: Offer
     dials: tuple[JointBall | JointCircle, ...] = ()
+    on: frozenset[str] = frozenset()  # the buttons that are always there and stand pressed, by command
 
 
 T = TypeVar("T")
@@ -37,6 +38,8 @@ ALWAYS = (
     ("Redo", "redo"),
     ("Save", "save"),
     ("Help", "help"),
+    ("Symmetric", "symmetric"),
+    ("Compare", "diff"),
 )
 
 
@@ -56,7 +59,7 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
     yield from _toggles(column, text, key)
     yield from _buttons(column, [c for c in text.controls if isinstance(c, Action) and not c.argument], key)
     column.row(4, 0)
-    yield from _always(column, key)
+    yield from _always(column, text, key)
 
 
 def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
@@ -98,12 +101,12 @@ def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str
             yield Button(rectangle, action.title, action.name, key(action.name))
 
 
-def _always(column: Column, key: Callable[[str], str]) -> Iterator[Widget]:
+def _always(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
     for pair in _pairs(ALWAYS):
         if not column.fits(32):
             return
         for rectangle, (title, command) in zip(column.split(2, 32), pair, strict=False):
-            yield Button(rectangle, title, command, key(command))
+            yield Button(rectangle, title, command, key(command), active=command in text.on)
 
 
 def _pairs(items: Iterable[T]) -> Iterator[tuple[T, ...]]:

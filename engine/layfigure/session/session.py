@@ -64,7 +64,9 @@ class Session:
         self.status = ""
         self.running = True
         self.revision = 0
+        self.clipboard = ""
         self.clipboard_out: str | None = None
+        self.clipboard_in: Callable[[], str] | None = None
         self.screenshot_request: Path | None = None
         self.saved_as: Path | None = None
         self.on_logged: Callable[[str], None] = lambda line: None

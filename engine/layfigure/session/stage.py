@@ -237,6 +237,7 @@ class Stage:
             controls=session.controls(),
             offer=offer,
             dials=joint_dials(session.document, session.view.selected) if "drag" in session.channels else (),
+            on=frozenset({"symmetric"} if session.document.symmetric else ()),
         )
 
     def _outlines(self, panes: list[Pane]) -> Iterator[Outline]:

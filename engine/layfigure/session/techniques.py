@@ -18,6 +18,7 @@ from layfigure.poses.pose import Pose
 from layfigure.session.bench import FigureBench, Option, Solvers
 from layfigure.session.document import Document
 from layfigure.session.lock_keeping import changed_limbs, within_locks
+from layfigure.session.symmetry import symmetric_echo, symmetric_edit
 from layfigure.suggestions import did_you_mean
 from layfigure.techniques.contract import EnabledSet, Event, LocksSet, Offer, PoseSet, Setting, TechniqueObject
 
@@ -73,7 +74,9 @@ class Workshop:
         Raises:
             ImpossibleError: the event makes no sense now, or the locks do not allow what it asks.
         """
-        return self._netted(document, self._told(document, event))
+        told = self._told(document, event)
+        echo = symmetric_echo(document, event, told)
+        return self._netted(document, self._told(told, echo) if echo is not None else told)
 
     def set_pose(self, document: Document, change: PoseSet, *, settled: bool = False) -> Document:
         """Return the document with a pose that did not come from the technique in use.
@@ -87,6 +90,7 @@ class Workshop:
             locks = anew(document.figure, change.pose, document.locks)
             document = self.set_locks(document, locks) if locks != document.locks else document
         else:
+            change = change if settled else symmetric_edit(document, change)
             pose = within_locks(self.solvers, document, change.pose, settled=settled)
             followed = changed_limbs(change.pose, pose)
             change = replace(change, pose=pose, limbs=(*change.limbs, *sorted(followed)))

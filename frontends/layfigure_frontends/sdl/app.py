@@ -33,6 +33,7 @@ class Door(Protocol):
     running: bool
     revision: int
     clipboard_out: str | None
+    clipboard_in: Callable[[], str] | None
     screenshot_request: Path | None
     host: Host
 
@@ -100,6 +101,7 @@ class _Loop:
         self._waiting = Waiting()
         self._window = window
         self._session = session
+        session.clipboard_in = _system_clipboard
         self._caught = caught
         self._translator = Translator()
         self._painted: tuple[int, int, int, float] | None = None
@@ -188,3 +190,11 @@ class _Loop:
         except LayfigureError as error:
             self._session.say(str(error))
             self._painted = None
+
+
+def _system_clipboard() -> str:
+    """Return the text on the system's clipboard, empty where there is none to be had."""
+    try:
+        return pygame.scrap.get_text() or ""
+    except (pygame.error, UnicodeDecodeError):
+        return ""

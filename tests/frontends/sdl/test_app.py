@@ -152,6 +152,23 @@ def test_text_for_the_clipboard_is_put_there_once(session, monkeypatch):
     assert session.clipboard_out is None
 
 
+def test_the_session_can_ask_for_the_systems_clipboard(session, monkeypatch):
+    found = []
+    session.on_event = lambda event: found.append(session.clipboard_in())
+    monkeypatch.setattr(pygame.scrap, "get_text", lambda: "layfigure pose 1")
+    play(session, lambda: tap(pygame.K_p))
+    assert "layfigure pose 1" in found
+
+
+def test_a_clipboard_that_cannot_be_read_is_empty(session, monkeypatch):
+    def refuse():
+        raise pygame.error("no clipboard")
+
+    monkeypatch.setattr(pygame.scrap, "get_text", refuse)
+    play(session)
+    assert session.clipboard_in() == ""
+
+
 def test_compiled_drawing_is_used_once_it_is_ready(session):
     def ready():
         loops[0]._warmed("")

@@ -3,10 +3,38 @@
 from __future__ import annotations
 
 from layfigure.plugins.records import Command
-from layfigure.session.commands import candidates, files, goals, interface, limbs, locks, pose, view
+from layfigure.session.commands import (
+    candidates,
+    clipboard,
+    comparing,
+    files,
+    goals,
+    interface,
+    limbs,
+    locks,
+    pose,
+    resting,
+    slots,
+    symmetric,
+    view,
+)
 
 BUILT_IN: dict[str, Command] = {
     command.id: command
-    for module in (candidates, pose, limbs, goals, locks, view, files, interface)
+    for module in (
+        candidates,
+        pose,
+        resting,
+        clipboard,
+        symmetric,
+        slots,
+        comparing,
+        limbs,
+        goals,
+        locks,
+        view,
+        files,
+        interface,
+    )
     for command in module.COMMANDS
 }

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from layfigure.drawing.render_list import Rectangle
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.plugins.records import Command
-from layfigure.session.describing import spoken_limb
+from layfigure.session.describing import listed_limbs
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required, whole_number
 from layfigure.techniques.contract import Best, Grade, LimbPick
 
@@ -176,8 +176,7 @@ def _title(session: Session, chosen: tuple[int, ...], number_: int) -> str:
 
 
 def _listed(session: Session, chosen: tuple[int, ...]) -> str:
-    names = [spoken_limb(session.document.figure, limb) for limb in chosen]
-    return ", ".join(names) if len(names) <= 3 else f"{len(names)} limbs"
+    return listed_limbs(session.document.figure, chosen)
 
 
 def _look_at(session: Session, number_: int, chosen: tuple[int, ...]) -> None:

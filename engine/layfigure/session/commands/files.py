@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from layfigure.errors import FileError, ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.files.writing import write_text
+from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose, save_pose
@@ -65,7 +66,7 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
     if path.suffix == ".fig":
         session.execute(join_line("figure", [str(path)]))
         return
-    figure, pose = _read(session, path)
+    figure, pose = figure_and_pose(session.host, path)
     if reference_to(figure) != reference_to(session.document.figure):
         session.execute(join_line("figure", [reference_to(figure)]))
     session.execute(pose_line(session, pose))
@@ -73,10 +74,15 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
     session.say(f"Opened {_shown(path)}.")
 
 
-def _read(session: Session, path: Path) -> tuple[Figure, Pose]:
+def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
+    """Return what a ``.pose`` file holds, or the first pose in a file that a plug-in reads.
+
+    Raises:
+        LayfigureError: there is no such file, it has a mistake, or nothing reads its kind.
+    """
     if path.suffix == ".pose":
         return load_pose(path)
-    exchange = session.host.first("layfigure_read", path=path)
+    exchange = host.first("layfigure_read", path=path)
     if not isinstance(exchange, Exchange) or not exchange.poses:
         raise FileError(f'{path}: is neither a .pose nor a .fig file, and no plug-in reads "{path.suffix}" files')
     return exchange.figure, exchange.poses[0]

@@ -11,6 +11,7 @@ from layfigure.figures.library import figure_names
 from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
+from layfigure.session.commands.slots import ask_recall, ask_store
 from layfigure.session.describing import spoken_limb
 from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 _HIDDEN = {
     *("accept", "complete", "row", "erase", "scroll", "ask", "palette"),
-    *("pick-in", "enable-in", "select-in", "camera", "follow", "dragged"),
+    *("pick-in", "enable-in", "select-in", "camera", "follow", "dragged", "joints"),
 }
 
 
@@ -44,10 +45,13 @@ def _palette(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _ask(session: Session, words: tuple[str, ...]) -> None:
-    name = one_of(words, 0, "question", ("select", "open", "save", "use", "hold", "set", "goal"))
+    name = one_of(words, 0, "question", ("select", "open", "save", "use", "hold", "set", "goal", "store", "recall"))
     no_more(words, 1)
     if name in ("set", "goal"):
         session.modes.append(_numbers(session, name))
+        return
+    if name in ("store", "recall"):
+        session.modes.append(ask_store(session) if name == "store" else ask_recall(session))
         return
     entries, prompt = _choices(session, name)
     session.modes.append(PaletteMode(entries, prompt=prompt, prefix=name))
@@ -145,7 +149,7 @@ COMMANDS = (
     Command("help", "Show the keys", _help),
     Command("palette", "Type a command", _palette),
     Command("figures", "Choose another figure", _figures),
-    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal"),
+    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal|store|recall"),
     Command("cancel", "Let go", _cancel),
     Command("accept", "Do what is typed", _accept),
     Command("complete", "Complete the word", _complete),

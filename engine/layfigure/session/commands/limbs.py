@@ -67,11 +67,11 @@ def _child(session: Session, words: tuple[str, ...]) -> None:
 
 def _opposite(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    figure, limb = session.document.figure, _selected(session)
-    twin = figure.limbs[limb].twin
-    if twin == limb:
-        raise ImpossibleError(f"the {spoken_limb(figure, limb)} has no mirror twin")
-    _show(session, (twin,))
+    figure, last = session.document.figure, _selected(session)
+    twins = tuple(figure.limbs[limb].twin for limb in session.view.selected)
+    if twins == session.view.selected:
+        raise ImpossibleError(f"the {spoken_limb(figure, last)} has no mirror twin")
+    _show(session, twins)
 
 
 def _toggle(session: Session, words: tuple[str, ...]) -> None:

@@ -27,26 +27,6 @@ if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 
-def _initialise(session: Session, words: tuple[str, ...]) -> None:
-    if words or not session.view.selected:
-        session.execute(join_line("rest", words or ("all",)))
-        return
-    names = [session.document.figure.names[limb] for limb in session.view.selected]
-    session.execute(join_line("rest", names))
-
-
-def _rest(session: Session, words: tuple[str, ...]) -> None:
-    figure, pose = session.document.figure, session.document.pose
-    rest = Pose.rest(figure)
-    if words == ("all",):
-        session.set_pose("initialise all", PoseSet(rest, fresh=True))
-        session.say("Everything is back to rest; the first generation begins again.")
-        return
-    chosen = limbs(session, words, 0)
-    session.set_pose("initialise limbs", PoseSet(pose.with_joints_of(rest, chosen), limbs=chosen))
-    session.say(f"Back to rest: {', '.join(spoken_limb(figure, limb) for limb in chosen)}.")
-
-
 def _set(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     figure = session.document.figure
     (limb,) = limbs(session, words[:1], 0)
@@ -140,8 +120,6 @@ def pose_line(session: Session, pose: Pose) -> str:
 
 
 COMMANDS = (
-    Command("initialise", "Selected limbs, or everything, back to rest", _initialise, "[LIMB…|all]"),
-    Command("rest", "Put limbs back to rest", _rest, "LIMB…|all", logged=True),
     Command("set", "Set a joint's angles", _set, "LIMB FLEXION [PIVOT TWIST]", logged=True),
     Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist DEGREES"),
     Command("flip", "Mirror the pose", _flip, logged=True),
