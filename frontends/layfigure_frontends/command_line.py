@@ -14,6 +14,7 @@ from layfigure.errors import LayfigureError
 _COMMANDS = {
     "pose": "Pose a figure: the main job (the default).",
     "replay": "Play a session log without a window.",
+    "diff": "Say what sets two poses apart, in words and numbers.",
     "render": "Draw a pose or a session's result to a picture.",
     "figure": "Tell about figures.",
     "check": "Say whether a .fig, .pose or log file is right.",
@@ -28,6 +29,7 @@ Examples:
   layfigure horse                  pose another figure
   layfigure my.pose                go on with a pose
   layfigure render my.pose -o my.png
+  layfigure diff before.pose after.pose
   layfigure figure info humanoid --json
 """
 

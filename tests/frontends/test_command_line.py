@@ -72,6 +72,41 @@ def test_check_says_that_shipped_files_are_right(tmp_path):
     assert done.returncode == 0 and done.stdout.count(": right; ") == len(files), done.stderr
 
 
+def test_diff_says_in_words_and_numbers_what_sets_two_poses_apart(tmp_path):
+    head = "layfigure pose 1\nfigure humanoid\n"
+    (tmp_path / "a.pose").write_text(f"{head}rightforearm flexion 20\n")
+    (tmp_path / "b.pose").write_text(f"{head}rightforearm flexion 80\nneck twist -20\n")
+    done = layfigure("diff", "a.pose", "b.pose", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    forearm, neck, closeness = done.stdout.splitlines()
+    assert forearm.startswith("right forearm: bent 60 degrees more (flexion +60); its tip moved ")
+    assert neck.startswith("neck: turned 20 degrees to the left (twist -20); its tip moved ")
+    assert closeness.startswith("closeness ")
+    facts = json.loads(layfigure("diff", "a.pose", "b.pose", "--json", folder=tmp_path).stdout)
+    assert [limb["name"] for limb in facts["limbs"]] == ["rightforearm", "neck"]
+    assert facts["limbs"][0]["angles"][0] == {
+        "kind": "flexion",
+        "before": 20,
+        "after": 80,
+        "degrees": 60,
+        "words": "bent 60 degrees more",
+    }
+    assert float(closeness.split()[1].rstrip(",")) == pytest.approx(facts["closeness"], abs=0.05)
+
+
+def test_diff_of_two_figures_is_refused_in_one_sentence(tmp_path):
+    for name in ("horse", "juxo"):
+        (tmp_path / f"{name}.pose").write_text(f"layfigure pose 1\nfigure {name}\n")
+    done = layfigure("diff", "horse.pose", "juxo.pose", folder=tmp_path)
+    assert done.returncode == 2 and "horse.pose is a pose of horse, juxo.pose one of juxo" in done.stderr
+
+
+def test_diff_takes_a_picture_that_carries_a_pose(tmp_path):
+    layfigure(folder=tmp_path)
+    done = layfigure("diff", "layfigure-humanoid-1.pose", "layfigure-humanoid-1.png", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "the poses are equal\n"), done.stderr
+
+
 @pytest.mark.parametrize(
     ("words", "phrase"),
     [
@@ -85,6 +120,9 @@ def test_check_says_that_shipped_files_are_right(tmp_path):
         (["--frontend", "sdl"], "no display"),
         (["figure", "info", "humanoit"], 'did you mean "humanoid"'),
         (["check", "notes.txt"], "must end in"),
+        (["diff", "{sitting}", "absent.pose"], "no such file"),
+        (["diff", "{sitting}"], "Missing argument"),
+        (["diff", "{sitting}", "notes.txt"], "no plug-in reads"),
         (["bench", "alchemy"], "the areas are"),
         (["render", "{sitting}", "-o", "absent/x.png"], "cannot be written"),
         (["render", "{sitting}", "-o", "x.bmp"], "use .png"),
