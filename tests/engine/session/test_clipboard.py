@@ -139,6 +139,14 @@ def test_pasting_nothing_says_what_to_do(session):
     assert "copy them first" in session.status and len(session.log) == 3
 
 
+def test_limbs_of_a_figure_of_ones_own_are_copied_and_pasted(session):
+    folder = session.options.folder / "my figures"
+    folder.mkdir()
+    (folder / "post.fig").write_text("post { axis y 0 0 0 0 9 0 joint 0 9 0 flag { 0 0 0 0 5 0 flexiondof -90 90 } }")
+    run(session, f'figure "{folder / "post.fig"}"', "set flag 30 0 0", "copy-limbs", "rest all", "paste")
+    assert angles(session, "flag") == [30, 0, 0]
+
+
 # --- text from elsewhere -------------------------------------------------------------------------------------------
 
 

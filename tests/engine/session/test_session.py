@@ -257,7 +257,8 @@ def test_the_log_replays_to_the_same_document(session, host):
 
 
 KEYS = ["1", "5", "9", "tab", "shift+tab", "[", "]", "\\", "enter", "b", "y", "shift+y", "m", "n", "shift+n", "f",
-        "t", "-", "+", "e", "shift+e", "i", "x", "u", "shift+u", "ctrl+left", "ctrl+up", ".", "escape"]  # fmt: skip
+        "t", "-", "+", "e", "shift+e", "i", "x", "u", "shift+u", "ctrl+left", "ctrl+up", ".", "escape",
+        "|", "c", "p", "shift+p", "shift+i"]  # fmt: skip
 
 
 @settings(max_examples=25, deadline=None)
