@@ -38,11 +38,14 @@ def with_twins(figure: Figure, before: Pose, after: Pose, held: Container[int]) 
 
     A limb in the middle stays as it was edited, and so do twins that are ``held`` or that changed themselves.
     """
-    partners, _ = mirror_map(figure)
+    images, _ = mirror_map(figure)
     changed = (before.angles != after.angles).any(axis=1)
-    twins = [twin for twin, limb in enumerate(partners) if twin != limb and changed[limb] and not changed[twin]]
-    moved = after.with_joints_of(flipped(figure, after), [twin for twin in twins if twin not in held])
-    return moved, tuple(np.flatnonzero((moved.angles != after.angles).any(axis=1)).tolist())
+    follows = changed[images] & ~changed & (images != np.arange(len(images)))
+    twins = [twin for twin in np.flatnonzero(follows).tolist() if twin not in held]
+    if not twins:
+        return after, ()
+    moved = after.with_joints_of(flipped(figure, after), twins)
+    return moved, tuple(twin for twin in twins if (moved.angles[twin] != after.angles[twin]).any())
 
 
 @lru_cache(maxsize=16)

@@ -93,7 +93,7 @@ class Workshop:
             change = change if settled else symmetric_edit(document, change)
             pose = within_locks(self.solvers, document, change.pose, settled=settled)
             followed = changed_limbs(change.pose, pose)
-            change = replace(change, pose=pose, limbs=(*change.limbs, *sorted(followed)))
+            change = replace(change, pose=pose, limbs=(*(change.limbs or ()), *sorted(followed)))
         moved = replace(document, pose=change.pose, fresh=change.fresh)
         told = self._told(moved, change) if moved.technique else moved
         return replace(told, pose=change.pose, fresh=change.fresh)

@@ -2,18 +2,22 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from layfigure import compiled
+from layfigure.kinematics.forward import limb_ends, place_pose
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Technique
-from layfigure.poses.locks import JointLock
+from layfigure.poses.locks import JointLock, broken
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
+from layfigure.session.bench import KEEPER
 from layfigure.session.document import Document
-from layfigure.session.events import KeyEvent
+from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure.session.figures import open_figure
 from layfigure.session.frame import Button, Size
 from layfigure.session.log import parse_log
@@ -216,6 +220,72 @@ def test_a_drag_step_by_step_moves_both_sides_all_the_way(puppet):
         assert angles(session, "rightleg") == [x, 0, 0]
 
 
+def test_joints_turned_in_forward_kinematics_turn_on_both_sides(symmetric):
+    symmetric.execute("use fk")
+    symmetric.execute("set leftforearm 70")
+    assert angles(symmetric, "rightforearm") == angles(symmetric, "leftforearm") == [70, 0, 0]
+    assert symmetric.document.states["fk"].pose == symmetric.document.pose
+
+
+@pytest.fixture
+def reaching(symmetric):
+    """A symmetric session in which ends are moved by inverse kinematics, both arms a little bent."""
+    if KEEPER not in symmetric.host.solvers:
+        pytest.skip(f"the solver {KEEPER} is not installed")
+    compiled.load()
+    symmetric.execute("set leftforearm 60")
+    symmetric.execute("use ik")
+    symmetric.execute("chain 3")
+    return symmetric
+
+
+def tip(session, name):
+    figure = session.document.figure
+    return limb_ends(figure, place_pose(figure, session.document.pose))[figure.index(name)]
+
+
+def test_an_end_moved_by_inverse_kinematics_takes_the_other_along(reaching):
+    x, y, z = np.add(tip(reaching, "lefthand"), (6, 10, -8))
+    reaching.execute(f"goal lefthand {x:.3f} {y:.3f} {z:.3f}")
+    np.testing.assert_allclose(tip(reaching, "lefthand"), [x, y, z], atol=0.5)
+    np.testing.assert_allclose(tip(reaching, "righthand"), tip(reaching, "lefthand") * [-1, 1, 1], atol=1e-3)
+    assert replayed(reaching).document.pose == reaching.document.pose
+
+
+def test_an_end_dragged_takes_the_other_along_and_settles_where_it_was_seen(reaching):
+    frame = reaching.frame(Size(1280, 800))
+    pane = next(pane for pane in frame.panes if pane.view == "main" and pane.candidate == -1)
+    hand = reaching.document.figure.index("lefthand")
+    x, y, *_ = reaching.stage.tip_pixels(pane, hand)
+    before = len(reaching.history.done)
+    reaching.handle(PointerEvent("press", x, y, 1))
+    for step in range(1, 6):
+        reaching.handle(PointerEvent("move", x + 4 * step, y - 8 * step, 1))
+        assert angles(reaching, "rightupperarm") == angles(reaching, "leftupperarm")
+    seen = reaching.document.pose
+    reaching.handle(PointerEvent("release", x + 20, y - 40, 1))
+    assert reaching.document.pose == seen and reaching.log[-1].startswith("dragged lefthand ")
+    assert len(reaching.history.done) == before + 1
+    assert replayed(reaching).document.pose == seen
+
+
+def test_both_sides_keep_the_locks(reaching):
+    reaching.execute("lock place rightfoot")
+    reaching.execute("lock place leftfoot")
+    x, y, z = np.add(tip(reaching, "lefthand"), (4, 8, -6))
+    reaching.execute(f"goal lefthand {x:.3f} {y:.3f} {z:.3f}")
+    document = reaching.document
+    assert not broken(document.figure, document.pose, document.locks)
+    assert angles(reaching, "rightforearm") == angles(reaching, "leftforearm")
+
+
+def replayed(session) -> Session:
+    log = parse_log("\n".join(session.log), "replay.log")
+    again = open_log(session.host, log, SessionOptions(compiled=False))
+    play(again, log)
+    return again
+
+
 # --- laws ----------------------------------------------------------------------------------------------------------
 
 SIDES = ["leftthigh", "rightthigh", "leftupperarm", "rightupperarm", "lefthand", "rightfoot"]
@@ -242,9 +312,7 @@ def test_a_pose_that_was_its_own_mirror_image_stays_so_and_replays(lines):
         if session.document.symmetric:
             pose = session.document.pose
             assert flipped(session.document.figure, pose) == pose
-    log = parse_log("\n".join(session.log), "replay.log")
-    again = open_log(host, log, SessionOptions(compiled=False))
-    play(again, log)
+    again = replayed(session)
     assert again.document.pose == session.document.pose and again.offer() == session.offer()
     for _ in session.history.done[:]:
         session.execute("undo")
