@@ -13,6 +13,7 @@ from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Technique
 from layfigure.poses.locks import JointLock, broken
+from layfigure.poses.packing import unpack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
 from layfigure.session.bench import KEEPER
@@ -252,7 +253,7 @@ def test_an_end_moved_by_inverse_kinematics_takes_the_other_along(reaching):
     assert replayed(reaching).document.pose == reaching.document.pose
 
 
-def test_an_end_dragged_takes_the_other_along_and_settles_where_it_was_seen(reaching):
+def test_an_end_dragged_takes_the_other_along_and_settles_where_the_log_says(reaching):
     frame = reaching.frame(Size(1280, 800))
     pane = next(pane for pane in frame.panes if pane.view == "main" and pane.candidate == -1)
     hand = reaching.document.figure.index("lefthand")
@@ -262,11 +263,12 @@ def test_an_end_dragged_takes_the_other_along_and_settles_where_it_was_seen(reac
     for step in range(1, 6):
         reaching.handle(PointerEvent("move", x + 4 * step, y - 8 * step, 1))
         assert angles(reaching, "rightupperarm") == angles(reaching, "leftupperarm")
-    seen = reaching.document.pose
     reaching.handle(PointerEvent("release", x + 20, y - 40, 1))
-    assert reaching.document.pose == seen and reaching.log[-1].startswith("dragged lefthand ")
-    assert len(reaching.history.done) == before + 1
-    assert replayed(reaching).document.pose == seen
+    name, limb, packed = reaching.log[-1].split()
+    assert (name, limb) == ("dragged", "lefthand") and len(reaching.history.done) == before + 1
+    pose = reaching.document.pose
+    assert unpack_pose(reaching.document.figure, packed) == pose == replayed(reaching).document.pose
+    assert angles(reaching, "rightupperarm") == angles(reaching, "leftupperarm") != [0, 0, 0]
 
 
 def test_both_sides_keep_the_locks(reaching):
