@@ -105,8 +105,8 @@ class Inverse:
                 return self._moved(state, event)
             case Control(name, value):
                 return _controlled(replace(state, note=""), name, value)
-            case PoseSet(pose):
-                return replace(state, pose=pose, memory=(), note="", limb=state.limb if event.limbs else -1)
+            case PoseSet():
+                return self._taken_over(state, event)
             case EnabledSet(enabled):
                 return replace(state, enabled=enabled)
             case LocksSet(locks):
@@ -169,6 +169,15 @@ class Inverse:
             memory=solution.memory if goal.dragging else (),
             note=note,
         )
+
+    def _taken_over(self, state: InverseState, event: PoseSet) -> InverseState:
+        """Go on with another pose; a drag goes on too where its own chain was left alone, as when twins follow it."""
+        moved = replace(state, pose=event.pose)
+        if event.limbs is not None and state.limb >= 0:
+            chain = sorted(chain_of(self.figure, state.limb, state.chain))
+            if np.array_equal(event.pose.angles[chain], state.pose.angles[chain]):
+                return moved
+        return replace(moved, memory=(), note="", goal=None, limb=state.limb if event.limbs else -1)
 
     def _check(self, state: InverseState, goal: Goal) -> None:
         if not 0 <= goal.limb < len(self.figure.limbs) or not np.isfinite(goal.position).all():
