@@ -194,7 +194,9 @@ class Offer:
     ``values`` holds the present value of each slider, choice and toggle by name; ``note`` is one line for the status
     bar; ``address`` is a text that leads back to this very offer, or empty. ``badges`` are short texts on the
     candidates, such as grades. ``marks`` are drawn over the working pose (a goal, a chain) and ``cones`` over its
-    skeleton (where the next alternatives can lie); they are asked for only when they are shown.
+    skeleton (where the next alternatives can lie); they are asked for only when they are shown. ``variants(count,
+    intensity)`` gives up to ``count`` small variations of the present pose, 0..100 saying how small, for bringing a
+    still figure to life; None where a technique has none.
     """
 
     candidates: tuple[Pose, ...] = ()
@@ -203,8 +205,9 @@ class Offer:
     values: Mapping[str, float | str | bool] = field(default_factory=dict)
     address: str = ""
     badges: tuple[str, ...] = ()
-    marks: Callable[[], Iterable[Mark]] = _no_marks
-    cones: Callable[[], Iterable[Mark]] = _no_marks
+    marks: Callable[[], Iterable[Mark]] = field(default=_no_marks, compare=False)
+    cones: Callable[[], Iterable[Mark]] = field(default=_no_marks, compare=False)
+    variants: Callable[[int, float], Sequence[Pose]] | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)

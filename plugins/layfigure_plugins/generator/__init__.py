@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.records import Technique
-from layfigure.techniques.contract import Action, Choice, Slider
+from layfigure.techniques.contract import Action, Choice, Slider, Toggle
 from layfigure_plugins.generator.alternatives import SWING, TWIST
+from layfigure_plugins.generator.conditions import APART, ORDERED
 from layfigure_plugins.generator.generator import Generator
 
 _CONTROLS = (
@@ -15,6 +16,11 @@ _CONTROLS = (
     Action("first", "First page", keys=("f",), navigates=True),
     Slider("intensity", "Intensity", low=0, high=100, step=5, keys=("-", "+")),
     Choice("kind", "Kind", options=((SWING, "Flexion & pivot"), (TWIST, "Twist")), keys=("t",)),
+    Choice("spread", "Nine of a page", options=((ORDERED, "In order"), (APART, "Seen apart"))),
+    Toggle("within-limits", "In limits"),
+    Toggle("above-floor", "Above floor"),
+    Toggle("no-touching", "No touching"),
+    Toggle("balanced", "Balanced"),
     Action("goto", "Go to a page by its address", argument="ADDRESS"),
 )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,8 +51,15 @@ def alternatives(figure: Figure, limb: int, seed: Floats, rule: Rule) -> Floats:
     """Return the joint's alternatives (m, 3) in degrees, most important first; m = 0 where there are none.
 
     Level after level is taken from the coarsest until there are nine or the finest is used up. The seed's own
-    configuration (3,) is left out unless it is the only one.
+    configuration (3,) is left out unless it is the only one. The array is read-only.
     """
+    flexion, pivot, twist = seed.tolist()
+    return _found(figure, limb, (flexion, pivot, twist), rule)
+
+
+@lru_cache(maxsize=256)
+def _found(figure: Figure, limb: int, angles_now: tuple[float, float, float], rule: Rule) -> Floats:
+    seed = np.array(angles_now)
     columns = varying_columns(figure, limb, rule.kind)
     if not columns:
         return np.empty((0, 3))
@@ -64,6 +71,7 @@ def alternatives(figure: Figure, limb: int, seed: Floats, rule: Rule) -> Floats:
     chosen = table.angles[_coarsest(table, valid, seed[columns]), : len(columns)]
     angles = np.tile(seed, (len(chosen), 1))
     angles[:, columns] = chosen
+    angles.flags.writeable = False
     return angles
 
 

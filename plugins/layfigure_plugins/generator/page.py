@@ -1,70 +1,70 @@
-"""The nine candidates of a page, and what to say about joints that could not take part."""
+"""The candidates of a page, and what to say about joints that could not take part."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
-from layfigure_plugins.generator.alternatives import SWING, Rule, alternatives, reach_of, varying_columns
+from layfigure_plugins.generator.alternatives import SWING, Rule, varying_columns
+from layfigure_plugins.generator.choosing import Choice, Keep, choose, told
 from layfigure_plugins.generator.state import PAGE_SIZE, Generation
-
-A_LITTLE = 20.0
-"""The intensity with which a limb goes on varying after Shift- or Ctrl-click (posing.md 5, choosing)."""
+from layfigure_plugins.generator.stream import Stream
 
 
 class Page(NamedTuple):
-    """Nine poses, and one line about enabled joints that keep the seed's configuration for want of another."""
+    """Candidates, nine where there are as many, and one line about what could not take part or was left out."""
 
     candidates: tuple[Pose, ...]
     note: str
 
 
 def page_of(figure: Figure, generation: Generation, page: int) -> Page:
-    """Return a page of a generation; candidate i takes each joint's next alternative that was not yet shown.
+    """Return a page of a generation without conditions; candidate i takes each joint's next alternative.
 
     A joint that has run out of alternatives starts again with its first.
     """
-    rules = _rules(generation)
-    angles = np.repeat(generation.base.angles[None], PAGE_SIZE, axis=0)
-    turns = np.arange(PAGE_SIZE) + page * PAGE_SIZE
-    still = {}
-    for limb, rule in rules.items():
-        found = _alternatives(figure, generation, limb, rule)
-        if (found == generation.base.angles[limb]).all():
-            still[limb] = rule
-        else:
-            angles[:, limb] = found[turns % len(found)]
-    poses = tuple(Pose.of(candidate, generation.base.translation) for candidate in angles)
-    return Page(poses, _note(figure, generation, still))
+    stream = Stream.of(figure, generation)
+    return Page(stream.poses(range(page * PAGE_SIZE, (page + 1) * PAGE_SIZE)), note_of(figure, generation, stream))
 
 
-def _rules(generation: Generation) -> dict[int, Rule]:
-    """Return the rule for each limb that varies; intensity 0 is the limbs' own configuration and needs none."""
-    first = generation.within_limits
-    rule = Rule(generation.kind, first, None if first else reach_of(generation.intensity))
-    rules = dict.fromkeys(sorted(generation.enabled), rule)
-    for limb, kind in generation.varied:
-        rules[limb] = Rule(kind, first, reach_of(A_LITTLE))
-    return rules
+class Pages:
+    """The pages of a figure's generations; the last ones are remembered."""
+
+    def __init__(self, figure: Figure, keep: Keep) -> None:
+        self._figure = figure
+        self._keep = keep
+        self.page = lru_cache(maxsize=8)(self._page)
+        self._choice = lru_cache(maxsize=8)(self._chosen)
+
+    def _page(self, generation: Generation, page: int) -> Page:
+        """Return a page of a generation under its conditions; it may have fewer than nine candidates, or none.
+
+        Raises:
+            ImpossibleError: locks are to be kept and no solver is in service.
+        """
+        if generation.number == 0 or generation.conditions.plain:
+            return page_of(self._figure, generation, page)
+        choice = self._choice(generation, page)
+        note = note_of(self._figure, generation, Stream.of(self._figure, generation))
+        candidates = choice.passed or choice.spare
+        return Page(candidates, "; ".join(filter(None, [told(choice), note])))
+
+    def _chosen(self, generation: Generation, page: int) -> Choice:
+        before = self._choice(generation, page - 1) if page else Choice()
+        return choose(self._figure, generation, before, self._keep)
 
 
-def _alternatives(figure: Figure, generation: Generation, limb: int, rule: Rule) -> NDArray[np.float64]:
-    seed = generation.base.angles[limb]
-    return seed[None] if rule.reach == 0 else alternatives(figure, limb, seed, rule)
-
-
-def _note(figure: Figure, generation: Generation, still: dict[int, Rule]) -> str:
+def note_of(figure: Figure, generation: Generation, stream: Stream) -> str:
+    """Return one line about enabled joints that keep the base's configuration for want of another."""
     if generation.number == 0:
         return "Mutate makes the first generation"
     if not generation.enabled and not generation.varied:
         return "no limb varies any more; Mutate makes a new generation"
     unable: dict[str, list[str]] = {}
-    for limb, rule in still.items():
+    for limb, rule in stream.still.items():
         unable.setdefault(_reason(figure, limb, rule), []).append(figure.names[limb])
     return "; ".join(f"{_listed(names)} {reason}" for reason, names in unable.items())
 
@@ -72,7 +72,9 @@ def _note(figure: Figure, generation: Generation, still: dict[int, Rule]) -> str
 def _reason(figure: Figure, limb: int, rule: Rule) -> str:
     if not varying_columns(figure, limb, rule.kind):
         return "cannot bend" if rule.kind == SWING else "cannot twist"
-    return "can go nowhere else within the joint's limits" if rule.reach is None else "can go nowhere else so near"
+    if rule.reach is None:
+        return "can go nowhere else within the joint's limits"
+    return "can go nowhere else so near"
 
 
 def _listed(names: Sequence[str]) -> str:

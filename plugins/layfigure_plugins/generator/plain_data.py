@@ -10,6 +10,7 @@ from layfigure.figures.figure import Figure
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure_plugins.generator.address import read_address, write_address
 from layfigure_plugins.generator.alternatives import SWING, TWIST
+from layfigure_plugins.generator.condition_words import read_locks, write_locks
 from layfigure_plugins.generator.state import GeneratorState
 
 VERSION = 1
@@ -24,6 +25,7 @@ def dumped(figure: Figure, state: GeneratorState) -> dict[str, Any]:
         "intensity": state.intensity,
         "kind": state.kind,
         "enabled": [figure.names[limb] for limb in sorted(state.enabled)],
+        **({"locks": write_locks(state.locks)} if state.locks else {}),
     }
 
 
@@ -44,6 +46,7 @@ def loaded(figure: Figure, data: Mapping[str, Any]) -> GeneratorState:
             intensity=_checked_intensity(data["intensity"]),
             kind=_checked_kind(data["kind"]),
             enabled=frozenset(figure.indices(data["enabled"])),
+            locks=read_locks(figure, data.get("locks", "")),
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise LayfigureError(f"the generator's state is damaged ({error}); start the technique again") from None
