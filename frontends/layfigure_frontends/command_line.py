@@ -16,8 +16,9 @@ _COMMANDS = {
     "replay": "Play a session log without a window.",
     "diff": "Say what sets two poses apart, in words and numbers.",
     "render": "Draw a pose or a session's result to a picture.",
+    "breathe": "Write small variants of a pose as a set or a loop.",
     "figure": "Tell about figures.",
-    "check": "Say whether a .fig, .pose or log file is right.",
+    "check": "Say whether a .fig, .pose, .poses or log file is right.",
     "plugins": "List plug-ins and what is wrong with them.",
     "bench": "Measure speed and memory.",
     "warm": "Compile the drawing code now rather than at the first start.",
@@ -30,6 +31,7 @@ Examples:
   layfigure my.pose                go on with a pose
   layfigure render my.pose -o my.png
   layfigure diff before.pose after.pose
+  layfigure breathe my.pose -o loop.gif
   layfigure figure info humanoid --json
 """
 

@@ -54,12 +54,13 @@ class Word(NamedTuple):
 class WordReader:
     """Hands out the words of a text one after the other; comments run from ``#`` to the end of the line.
 
-    ``lines`` makes the end of each line a word of its own. Every method that meets something else than it needs
-    raises a SourceError.
+    ``lines`` makes the end of each line a word of its own; ``first_line`` is the number of the text's first line. Every
+    method that meets something else than it needs raises a SourceError.
     """
 
-    def __init__(self, text: str, source: str | Path, *, lines: bool = False) -> None:
+    def __init__(self, text: str, source: str | Path, *, lines: bool = False, first_line: int = 1) -> None:
         self._text = text
+        self._lines_before = first_line - 1
         self._source = source
         self._words = _words(text, lines)
         self._peeked: Word | None = None
@@ -148,7 +149,8 @@ class WordReader:
 
     def place(self, offset: int) -> tuple[int, int]:
         """Return line and column, from 1, of an offset in the text."""
-        return position(self._text[:offset])
+        line, column = position(self._text[:offset])
+        return line + self._lines_before, column
 
 
 def _words(text: str, lines: bool) -> Iterator[Word]:

@@ -93,28 +93,31 @@ def figure_reference(figure: Figure, folder: Path | None = None) -> str:
     return reference if plain else json.dumps(reference)
 
 
-def read_pose(text: str, source: str | Path, figure_loader: FigureLoader | None = None) -> tuple[Figure, Pose]:
+def read_pose(
+    text: str, source: str | Path, figure_loader: FigureLoader | None = None, first_line: int = 1
+) -> tuple[Figure, Pose]:
     """Return the figure and the pose that a text describes; ``source`` names the text in errors.
 
     ``figure_loader`` takes what the text calls the figure; None stands for shipped names and paths from the source's
-    folder.
+    folder. ``first_line`` is the number of the text's first line in its file.
 
     Raises:
         SourceError: the first mistake, with line, column, what was found and what could stand there.
     """
-    figure, pose, _ = read_joints(text, source, figure_loader)
+    figure, pose, _ = read_joints(text, source, figure_loader, first_line)
     return figure, pose
 
 
 def read_joints(
-    text: str, source: str | Path, figure_loader: FigureLoader | None = None
+    text: str, source: str | Path, figure_loader: FigureLoader | None = None, first_line: int = 1
 ) -> tuple[Figure, Pose, tuple[int, ...]]:
     """Return what :func:`read_pose` returns, and which limbs the text names, in figure order.
 
     Raises:
         SourceError: as for :func:`read_pose`.
     """
-    return _Reader(text, source, figure_loader or _loader_beside(source)).joints()
+    words = WordReader(text, source, lines=True, first_line=first_line)
+    return _Reader(text, words, figure_loader or _loader_beside(source)).joints()
 
 
 def _loader_beside(source: str | Path) -> FigureLoader:
@@ -131,9 +134,9 @@ def _decimal(units: np.int64) -> str:
 class _Reader:
     """One pass over the lines of a pose file."""
 
-    def __init__(self, text: str, source: str | Path, load: FigureLoader) -> None:
+    def __init__(self, text: str, words: WordReader, load: FigureLoader) -> None:
         self._text = text
-        self._words = WordReader(text, source, lines=True)
+        self._words = words
         self._load = load
 
     def joints(self) -> tuple[Figure, Pose, tuple[int, ...]]:

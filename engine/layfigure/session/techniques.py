@@ -140,6 +140,21 @@ class Workshop:
         self._offer = (technique, state, offer)
         return offer
 
+    def variants(self, document: Document, count: int, intensity: float) -> tuple[Pose, ...]:
+        """Return up to ``count`` small variations of the pose, as the technique in use makes them.
+
+        Raises:
+            ImpossibleError: it makes none.
+        """
+        vary = self.offer(document).variants
+        if vary is None:
+            raise ImpossibleError("the technique in use makes no variants of a pose; switch to one that does")
+        record = self.record(document.technique)
+        poses = tuple(self.host.call(record, "varying", vary, count, intensity))
+        for pose in poses:
+            self._check(document.figure, record, pose)
+        return poses
+
     def _recommended(self, document: Document, technique: str, state: Any) -> Pose:
         worker, record = self._object(document.figure, technique), self.record(technique)
         pose = self.host.call(record, "recommending", worker.recommend, state)

@@ -13,7 +13,7 @@ from layfigure_frontends.opening import PluginChoice, plugin_options
 @click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE…")
 @plugin_options
 def command(paths: tuple[Path, ...], choice: PluginChoice) -> int:
-    """Say whether each FILE (.fig, .pose or .log) is right; a mistake is named with line and column."""
+    """Say whether each FILE (.fig, .pose, .poses or .log) is right; a mistake is named with line and column."""
     from layfigure.errors import LayfigureError
 
     status = 0
@@ -40,6 +40,11 @@ def _verdict(path: Path, choice: PluginChoice) -> str:
 
             figure, _ = load_pose(path)
             return f"right; a pose of {figure.name}"
+        case ".poses":
+            from layfigure.poses.pose_set import load_poses
+
+            figure, poses = load_poses(path)
+            return f"right; {len(poses)} poses of {figure.name}"
         case ".log":
             from layfigure.session.log import load_log
             from layfigure_frontends.headless import play_log
@@ -48,4 +53,6 @@ def _verdict(path: Path, choice: PluginChoice) -> str:
             play_log(choice, log)
             return f"right; {len(log.commands)} commands play to the end"
         case suffix:
-            raise FileError(f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in .fig, .pose or .log')
+            raise FileError(
+                f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in .fig, .pose, .poses or .log'
+            )

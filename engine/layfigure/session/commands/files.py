@@ -12,13 +12,18 @@ from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose, save_pose
+from layfigure.poses.pose_set import MAXIMUM_POSES, load_poses, save_poses
 from layfigure.session.commands.pose import pose_line
 from layfigure.session.figures import reference_to
 from layfigure.session.picture_file import save_sheet
-from layfigure.session.words import join_line, no_more, required
+from layfigure.session.words import join_line, no_more, number, required, whole_number
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
+
+VARIANTS = 8
+BREATH = 4.0
+"""How many variants bring a still character to life, and at which intensity, unless one says otherwise."""
 
 
 def _save(session: Session, words: tuple[str, ...]) -> None:
@@ -36,6 +41,31 @@ def _save(session: Session, words: tuple[str, ...]) -> None:
     picture = path.with_suffix(".png")
     save_sheet(session, pose, picture)
     session.say(f"Saved {_shown(path)} and its picture {picture.name}.")
+
+
+def _breathe(session: Session, words: tuple[str, ...]) -> None:
+    name = required(words, 0, "a file's name")
+    count = whole_number(words, 1, "a number of variants", (1, MAXIMUM_POSES - 1)) if len(words) > 1 else VARIANTS
+    intensity = number(words, 2, "an intensity from 0 to 100") if len(words) > 2 else BREATH
+    no_more(words, 3)
+    path = (session.options.folder / Path(name).expanduser()).with_suffix(".poses")
+    poses = breathing(session, count, intensity)
+    save_poses(path, session.document.figure, poses)
+    session.say(f"Saved {_shown(path)}: the pose and {len(poses) - 1} variants.")
+
+
+def breathing(session: Session, count: int, intensity: float) -> tuple[Pose, ...]:
+    """Return the present pose and up to ``count`` small variants of it, made by the technique in use.
+
+    Raises:
+        ImpossibleError: the intensity is not in 0..100, or the technique makes no variants, or none can be had.
+    """
+    if not 0 <= intensity <= 100:
+        raise ImpossibleError(f"the intensity goes from 0 to 100, {intensity:g} is not in it")
+    found = session.workshop.variants(session.document, count, intensity)
+    if not found:
+        raise ImpossibleError("this pose has no such variants; try a higher intensity, or free some limbs")
+    return (session.document.pose, *found)
 
 
 def _save_path(session: Session, name: str) -> Path:
@@ -75,13 +105,16 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
 
 
 def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
-    """Return what a ``.pose`` file holds, or the first pose in a file that a plug-in reads.
+    """Return what a ``.pose`` file holds, or the first pose of a set or of a file that a plug-in reads.
 
     Raises:
         LayfigureError: there is no such file, it has a mistake, or nothing reads its kind.
     """
     if path.suffix == ".pose":
         return load_pose(path)
+    if path.suffix == ".poses":
+        figure, poses = load_poses(path)
+        return figure, poses[0]
     exchange = host.first("layfigure_read", path=path)
     if not isinstance(exchange, Exchange) or not exchange.poses:
         raise FileError(f'{path}: is neither a .pose nor a .fig file, and no plug-in reads "{path.suffix}" files')
@@ -122,6 +155,7 @@ def _shown(path: Path) -> str:
 
 COMMANDS = (
     Command("save", "Save the pose and its picture", _save, "[NAME]"),
+    Command("breathe", "Save small variants of the pose as a set", _breathe, "NAME [VARIANTS [INTENSITY]]"),
     Command("open", "Open a pose or a figure", _open, "FILE"),
     Command("picture", "Save a picture of the pose", _picture, "NAME"),
     Command("save-log", "Save the session as a log that can be replayed", _save_log, "NAME"),

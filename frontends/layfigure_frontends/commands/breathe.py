@@ -1,0 +1,58 @@
+"""``layfigure breathe``: small variants that bring a still character to life, as a pose set or a loop."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from layfigure_frontends.opening import PluginChoice, as_record, plugin_options
+
+
+@dataclass(frozen=True)
+class Breath:
+    """How many variants, how far from the pose, and how large a picture."""
+
+    variants: int
+    intensity: float
+    size: int
+    view: str
+
+
+breath_options = as_record(
+    "breath",
+    Breath,
+    click.option("--variants", type=click.IntRange(1, 99), default=8, show_default=True, help="How many."),
+    click.option(
+        "--intensity", type=click.FloatRange(0, 100), default=4.0, show_default=True, help="How far from the pose."
+    ),
+    click.option("--size", type=click.IntRange(16, 2048), default=320, show_default=True, help="Height of a loop."),
+    click.option("--view", default="front", show_default=True, help="View of a loop: sheet, or one view by name."),
+)
+
+
+@click.command("breathe")
+@click.argument("source", metavar="FILE.pose|FIGURE")
+@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="A .poses set or a .gif loop.")
+@breath_options
+@plugin_options
+def command(source: str, output: Path, breath: Breath, choice: PluginChoice) -> int:
+    """Write small variants round the pose in FILE: a set that begins with the pose, or a loop through it and back."""
+    from layfigure.errors import FileError
+    from layfigure.poses.pose_set import save_poses
+    from layfigure.session.commands.files import breathing
+    from layfigure_frontends.loop_file import save_loop
+    from layfigure_frontends.opening import open_session
+    from layfigure_frontends.picture_choice import picture_of
+
+    if output.suffix not in (".poses", ".gif"):
+        raise FileError(f"{output}: breathing is written as .poses or .gif")
+    session = open_session(choice, source, "headless")
+    poses = breathing(session, breath.variants, breath.intensity)
+    if output.suffix == ".poses":
+        save_poses(output, session.document.figure, poses)
+    else:
+        save_loop(session, poses, output, picture_of(breath.size, breath.view))
+    click.echo(str(output))
+    return 0
