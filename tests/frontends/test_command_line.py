@@ -128,6 +128,10 @@ def test_diff_takes_a_picture_that_carries_a_pose(tmp_path):
         (["render", "{sitting}", "-o", "x.bmp"], "use .png"),
         (["render", "{sitting}", "-o", "x.png", "--view", "below"], "the views are"),
         (["render", "{sitting}", "-o", "x.png", "--look", "ful"], 'did you mean "full"'),
+        (["breathe", "{sitting}", "-o", "x.png"], "as .poses or .gif"),
+        (["breathe", "{sitting}", "-o", "x.poses", "--intensity", "0"], "no such variants"),
+        (["breathe", "absent.pose", "-o", "x.gif"], "no such file"),
+        (["render", "absent.poses", "-o", "pictures"], "no such file"),
     ],
 )
 def test_a_mistake_is_one_sentence_and_status_two(words, phrase, tmp_path):
@@ -136,3 +140,30 @@ def test_a_mistake_is_one_sentence_and_status_two(words, phrase, tmp_path):
     assert done.returncode == 2 and done.stdout == ""
     assert phrase in done.stderr and done.stderr.count("\n") == 1, done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_pose_comes_to_life_as_a_set_that_is_right_and_can_be_drawn(tmp_path):
+    sitting = ROOT / "data" / "targets" / "sitting.pose"
+    done = layfigure("breathe", str(sitting), "-o", "life.poses", "--variants", "3", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "life.poses\n"), done.stderr
+    text = (tmp_path / "life.poses").read_text()
+    assert text.count("layfigure pose 1") == 4 and "rightthigh flexion 90 pivot 0 twist 0" in text.split("\n\n")[0]
+    assert layfigure("check", "life.poses", folder=tmp_path).stdout == "life.poses: right; 4 poses of humanoid\n"
+    drawn = layfigure("render", "life.poses", "-o", "pictures", "--size", "64", folder=tmp_path)
+    assert drawn.stdout.splitlines() == [f"pictures/life-{number}.png" for number in (1, 2, 3, 4)], drawn.stderr
+    refused = layfigure("render", "life.poses", "-o", "life.png", folder=tmp_path)
+    assert refused.returncode == 2 and "into a folder or as .gif" in refused.stderr
+
+
+def test_a_loop_of_a_breathing_pose_moves_and_comes_back(tmp_path):
+    sitting = str(ROOT / "data" / "targets" / "sitting.pose")
+    done = layfigure("breathe", sitting, "-o", "life.gif", "--variants", "2", "--size", "64", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "life.gif\n"), done.stderr
+    with Image.open(tmp_path / "life.gif") as image:
+        assert image.size == (64, 64) and image.info["loop"] == 0
+        frames = []
+        for number in range(image.n_frames):
+            image.seek(number)
+            frames.append(image.convert("RGB").tobytes())
+    half = len(frames) // 2
+    assert frames[1:half] == frames[:half:-1] and frames[0] != frames[half]

@@ -12,6 +12,7 @@ from layfigure.errors import LayfigureError
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Overlay, OverlayLine, Renderer, Technique
+from layfigure.poses.pose_set import load_poses
 from layfigure.session.document import Document
 from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure.session.figures import open_figure
@@ -370,3 +371,47 @@ def test_no_technique_at_all_still_shows_the_pose():
     assert len(session.frame(SIZE).panes) == 3
     with pytest.raises(LayfigureError, match="no renderer"):
         session.draw(session.frame(SIZE), new_target(SIZE.width, SIZE.height))
+
+
+def test_breathing_saves_the_pose_and_small_variants_as_a_set(session, tmp_path):
+    session.execute(f"breathe {tmp_path / 'life'} 3 6")
+    figure, poses = load_poses(tmp_path / "life.poses")
+    assert figure is session.document.figure or figure.name == session.document.figure.name
+    assert poses[0] == session.document.pose and len(set(poses)) == 4
+    assert not any(line.startswith("breathe") for line in session.log)
+    session.execute("pick 4 rightleg")
+    session.execute(f"open {tmp_path / 'life.poses'}")
+    assert session.document.pose == poses[0]
+
+
+@pytest.mark.parametrize("line", ["breathe", "breathe x 0", "breathe x 1.5", "breathe x 2 101", "breathe x 2 3 4"])
+def test_breathing_that_makes_no_sense_is_refused(session, line):
+    with pytest.raises(LayfigureError):
+        session.execute(line)
+
+
+def test_a_technique_without_variants_cannot_breathe(host, tmp_path):
+    @dataclass(frozen=True)
+    class Still:
+        def start(self, setting):
+            return setting.pose
+
+        def ask(self, state):
+            return Offer()
+
+        def tell(self, state, event):
+            return state
+
+        def recommend(self, state):
+            return state
+
+    class Plugin:
+        @hookimpl
+        def layfigure_techniques(self):
+            return [Technique("still", "Still", lambda bench: Still(), frozenset())]
+
+    host.register(Plugin(), "still")
+    session = Session(host, Document.new(open_figure(host, "humanoid")), SessionOptions("still", compiled=False))
+    with pytest.raises(LayfigureError, match="makes no variants"):
+        session.execute(f"breathe {tmp_path / 'life'}")
+    assert list(tmp_path.iterdir()) == []
