@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, Widget
-from layfigure.session.layout import Column
+from layfigure.session.layout import GAP, Column
 from layfigure.techniques.contract import Action, Choice, Controls, Offer, Slider, Toggle
 
 
@@ -29,7 +29,7 @@ class PanelText:
 
 T = TypeVar("T")
 
-DIAL = 150  # layout units: the height of the joint's dials
+DIAL, BUTTON, TOGGLE = 150, 32, 28  # layout units: the heights of the joint's dials, of buttons and of toggles
 
 ALWAYS = (
     ("Initialise", "initialise"),
@@ -56,8 +56,10 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
     if text.offer.title:
         yield Label(column.row(22), text.offer.title, "title")
     yield from _values(column, text, key)
-    yield from _toggles(column, text, key)
-    yield from _buttons(column, [c for c in text.controls if isinstance(c, Action) and not c.argument], key)
+    actions = [control for control in text.controls if isinstance(control, Action) and not control.argument]
+    below = (-(-len(actions) // 2) - (-len(ALWAYS) // 3)) * (BUTTON + GAP)
+    yield from _toggles(column, text, key, below)
+    yield from _buttons(column, actions, key)
     column.row(4, 0)
     yield from _always(column, text, key)
 
@@ -84,31 +86,33 @@ def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Itera
             yield ChoiceBar(column.row(48), control.title, control.name, control.options, str(value), key(control.name))
 
 
-def _toggles(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
-    for pair in _pairs([control for control in text.controls if isinstance(control, Toggle)]):
-        if not column.fits(32):
+def _toggles(column: Column, text: PanelText, key: Callable[[str], str], below: float) -> Iterator[Widget]:
+    """Yield the toggles that leave room for what is ``below`` them; the palette has them all."""
+    toggles = [control for control in text.controls if isinstance(control, Toggle)]
+    across = 2 if len(toggles) <= 2 else 4
+    for row in _rows(toggles, across):
+        if not column.fits(TOGGLE + GAP + below):
             return
-        for rectangle, toggle in zip(column.split(2, 32), pair, strict=False):
+        for rectangle, toggle in zip(column.split(across, TOGGLE), row, strict=False):
             on = text.offer.values.get(toggle.name) is True
             yield Button(rectangle, toggle.title, toggle.name, key(toggle.name), active=on)
 
 
 def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:
-    for pair in _pairs(actions):
-        if not column.fits(32):
+    for row in _rows(actions, 2):
+        if not column.fits(BUTTON):
             return
-        for rectangle, action in zip(column.split(2, 32), pair, strict=False):
+        for rectangle, action in zip(column.split(2, BUTTON), row, strict=False):
             yield Button(rectangle, action.title, action.name, key(action.name))
 
 
 def _always(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
-    for pair in _pairs(ALWAYS):
-        if not column.fits(32):
+    for row in _rows(ALWAYS, 3):
+        if not column.fits(BUTTON):
             return
-        for rectangle, (title, command) in zip(column.split(2, 32), pair, strict=False):
+        for rectangle, (title, command) in zip(column.split(3, BUTTON), row, strict=False):
             yield Button(rectangle, title, command, key(command), active=command in text.on)
 
 
-def _pairs(items: Iterable[T]) -> Iterator[tuple[T, ...]]:
-    listed = list(items)
-    yield from (tuple(listed[i : i + 2]) for i in range(0, len(listed), 2))
+def _rows(items: Sequence[T], across: int) -> Iterator[Sequence[T]]:
+    yield from (items[i : i + across] for i in range(0, len(items), across))

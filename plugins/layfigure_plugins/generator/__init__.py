@@ -17,10 +17,10 @@ _CONTROLS = (
     Slider("intensity", "Intensity", low=0, high=100, step=5, keys=("-", "+")),
     Choice("kind", "Kind", options=((SWING, "Flexion & pivot"), (TWIST, "Twist")), keys=("t",)),
     Choice("spread", "Nine of a page", options=((ORDERED, "In order"), (APART, "Seen apart"))),
-    Toggle("within-limits", "In limits"),
-    Toggle("above-floor", "Above floor"),
-    Toggle("no-touching", "No touching"),
-    Toggle("balanced", "Balanced"),
+    Toggle("within-limits", "Limits"),
+    Toggle("above-floor", "Floor"),
+    Toggle("no-touching", "Touch"),
+    Toggle("balanced", "Stands"),
     Action("goto", "Go to a page by its address", argument="ADDRESS"),
 )
 

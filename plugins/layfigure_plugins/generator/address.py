@@ -4,7 +4,7 @@
 40 with the movable limbs of the mask enabled, round a packed pose. Limbs that go on varying follow the mask, as in
 ``3fff+7s+9t``. What a page must fulfil is there only where there is something: filters and the spread after the
 intensity, as in ``next-swing-40+floor+apart``, and locks after the pose, behind the mask of the limbs that may turn to
-keep them, as in ``POSE:3fff~p4_-16,-100,0``.
+keep them, as in ``POSE:3fff~place,leftfoot,16,-100,-30``.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def write_address(figure: Figure, generation: Generation, page: int) -> str:
     choice = write_choice(conditions.filters, conditions.spread)
     how = f"{rules}-{generation.kind}-{repr(generation.intensity).removesuffix('.0')}{choice}"
     who = f"{_mask(figure, generation.enabled)}{varied}:{pack_pose(figure, generation.base)}"
-    locks = f":{_mask(figure, conditions.free)}~{write_locks(conditions.locks)}" if conditions.locks else ""
+    locks = f":{_mask(figure, conditions.free)}~{write_locks(figure, conditions.locks)}" if conditions.locks else ""
     return f"{figure.name}:{generation.number}.{page + 1}:{how}:{who}{locks}"
 
 

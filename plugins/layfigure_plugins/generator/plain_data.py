@@ -25,7 +25,7 @@ def dumped(figure: Figure, state: GeneratorState) -> dict[str, Any]:
         "intensity": state.intensity,
         "kind": state.kind,
         "enabled": [figure.names[limb] for limb in sorted(state.enabled)],
-        **({"locks": write_locks(state.locks)} if state.locks else {}),
+        **({"locks": write_locks(figure, state.locks)} if state.locks else {}),
     }
 
 

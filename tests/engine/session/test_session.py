@@ -16,7 +16,7 @@ from layfigure.poses.pose_set import load_poses
 from layfigure.session.document import Document
 from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure.session.figures import open_figure
-from layfigure.session.frame import ChoiceBar, Size, SliderBar
+from layfigure.session.frame import Button, ChoiceBar, Size, SliderBar
 from layfigure.session.log import parse_log
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import Session, SessionOptions
@@ -415,3 +415,19 @@ def test_a_technique_without_variants_cannot_breathe(host, tmp_path):
     with pytest.raises(LayfigureError, match="makes no variants"):
         session.execute(f"breathe {tmp_path / 'life'}")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("height", "toggled"), [(1000, True), (800, True), (760, False)])
+def test_toggles_give_way_to_buttons_where_the_window_is_low(session, height, toggled):
+    texts = [widget.text for widget in session.frame(Size(1280, height)).widgets if isinstance(widget, Button)]
+    assert {"Mutate", "Next page", "Undo", "Redo", "Initialise"} <= set(texts)
+    assert ("Floor" in texts) == toggled
+
+
+def test_a_pressed_filter_leaves_its_mark_on_the_page_and_in_the_log(session):
+    before = session.offer().candidates
+    session.execute("balanced")
+    assert session.log[-1] == "balanced on"
+    assert session.offer().candidates != before and "off balance" in session.offer().note
+    session.execute("balanced off")
+    assert session.offer().candidates == before

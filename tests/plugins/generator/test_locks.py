@@ -191,7 +191,14 @@ def test_every_kind_of_lock_survives_an_address_and_plain_data(
 
 @pytest.mark.parametrize(
     ("old", "new"),
-    [("~p4", "~x4"), ("~p4", "~p44"), ("~p4", "~p4.3"), ("_", ""), (",", ",e"), (":3fff~", ":7fff~"), ("~p4", "~j4")],
+    [
+        ("~place", "~plaice"),
+        ("rightfoot", "rightfeet"),
+        (",", ";"),
+        (",-", ",e"),
+        (":3fff~", ":7fff~"),
+        ("~place", "~joint"),
+    ],
 )
 def test_a_damaged_lock_in_an_address_is_refused_with_a_sentence(
     carrying_generator: Generator, humanoid: Figure, standing: Setting, old: str, new: str
