@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from itertools import cycle
+
 from layfigure.configuration import Configuration
 from layfigure.drawing.render_list import new_target
 from layfigure.plugins.host import Host
@@ -22,17 +25,37 @@ def rows(quick: bool) -> list[Row]:
     session = Session(host, Document.new(open_figure(host, "humanoid")), options)
     session.execute("pick 4 spine rightthigh leftupperarm neck")
     target = new_target(SIZE.width, SIZE.height)
+    intensities = cycle(range(20, 100))
+
+    def mutate() -> None:
+        session.execute(f"intensity {next(intensities)}")  # so that no alternatives are remembered from last time
+        session.execute("mutate")
 
     def offer() -> None:
-        session.execute("mutate")
+        mutate()
         session.offer()
 
     def page() -> None:
-        session.execute("mutate")
+        mutate()
         session.draw(session.frame(SIZE), target)
 
+    def cones() -> None:
+        list(session.offer().cones())
+
     repeats = 20 if quick else 100
-    return [
-        Row("generator", "M to nine new candidates", median_seconds(offer, repeats) * 1e3, "ms"),
-        Row("generator", "M to the new page in pixels, 1280x900", median_seconds(page, repeats) * 1e3, "ms", "<= 10"),
+    found = [
+        _row("M to nine new candidates", offer, repeats),
+        _row("M to the new page in pixels, 1280x900", page, repeats, "<= 10"),
+        _row("cones of the skeleton", cones, repeats, "<= 2"),
     ]
+    session.execute("spread apart")
+    found.append(_row("M to nine of 45 seen apart", offer, repeats))
+    session.execute("spread ordered")
+    for name in ("within-limits", "above-floor", "no-touching", "balanced"):
+        session.execute(f"{name} on")
+    found.append(_row("M to what passes all filters, of 90", offer, repeats))
+    return found
+
+
+def _row(work: str, run: Callable[[], None], repeats: int, target: str = "") -> Row:
+    return Row("generator", work, median_seconds(run, repeats) * 1e3, "ms", target)

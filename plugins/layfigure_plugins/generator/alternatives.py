@@ -21,6 +21,8 @@ ENOUGH = 9
 FARTHEST = 1.4143
 """Distance between half vectors at intensity 100: just above sqrt 2, the greatest there is when h and -h are one."""
 
+_LEVELS = (2, 4, 6)  # tables up to these levels are searched one after the other, so that most searches are short
+
 SWING, TWIST = "swing", "twist"
 _COLUMNS = {SWING: (0, 1), TWIST: (2,)}
 
@@ -63,12 +65,17 @@ def _found(figure: Figure, limb: int, angles_now: tuple[float, float, float], ru
     columns = varying_columns(figure, limb, rule.kind)
     if not columns:
         return np.empty((0, 3))
-    table = _sphere_table() if len(columns) == 2 else _circle_table()
-    valid = _valid(table, figure.arrays.limits[limb, columns], seed[columns], rule)
     still = [column for column in _COLUMNS[rule.kind] if column not in columns]
-    if seed[still].any():
-        valid &= np.abs(table.spelled).sum(axis=1) + np.abs(seed[still]).sum() < 180
-    chosen = table.angles[_coarsest(table, valid, seed[columns]), : len(columns)]
+    chosen = np.empty((0, len(columns)))
+    for level in _LEVELS:
+        table = _sphere_table(level) if len(columns) == 2 else _circle_table(level)
+        valid = _valid(table, figure.arrays.limits[limb, columns], seed[columns], rule)
+        if seed[still].any():
+            valid &= np.abs(table.spelled).sum(axis=1) + np.abs(seed[still]).sum() < 180
+        others = valid & (table.angles[:, : len(columns)] != seed[columns]).any(axis=1)
+        if level == _LEVELS[-1] or np.count_nonzero(others) >= ENOUGH:
+            chosen = table.angles[_coarsest(table, valid, others), : len(columns)]
+            break
     angles = np.tile(seed, (len(chosen), 1))
     angles[:, columns] = chosen
     angles.flags.writeable = False
@@ -105,9 +112,8 @@ def _valid(table: _Table, limits: Floats, seed: Floats, rule: Rule) -> Booleans:
     return valid
 
 
-def _coarsest(table: _Table, valid: Booleans, seed: Floats) -> Booleans:
-    """Return the rows (n,) of the valid ones that are left when enough have been found."""
-    others = valid & (table.angles[:, : len(seed)] != seed).any(axis=1)
+def _coarsest(table: _Table, valid: Booleans, others: Booleans) -> Booleans:
+    """Return the rows (n,) of the valid ones, or those that are not the seed, when enough have been found."""
     if not others.any():
         return valid
     found = np.cumsum(np.bincount(table.levels[others]))
@@ -115,15 +121,18 @@ def _coarsest(table: _Table, valid: Booleans, seed: Floats) -> Booleans:
 
 
 @cache
-def _sphere_table() -> _Table:
+def _sphere_table(level: int) -> _Table:
     sphere = half_sphere()
-    return _ordered(sphere.angles, sphere.levels)
+    coarse = sphere.levels <= level
+    return _ordered(sphere.angles[coarse], sphere.levels[coarse])
 
 
 @cache
-def _circle_table() -> _Table:
+def _circle_table(level: int) -> _Table:
     circle = half_circle()
-    return _ordered(np.stack([circle.angles, np.zeros_like(circle.angles)], axis=1), circle.levels)
+    coarse = circle.levels <= level
+    angles = circle.angles[coarse]
+    return _ordered(np.stack([angles, np.zeros_like(angles)], axis=1), circle.levels[coarse])
 
 
 def _ordered(angles: Floats, levels: Integers) -> _Table:
