@@ -109,8 +109,9 @@ class Session:
         self.log = header(quoted(reference_to(document.figure)), self.document.technique or "none")
 
     def kernels_ready(self) -> None:
-        """Say that compiled renderers may be used from now on."""
+        """Say that compiled renderers and solvers may be used from now on."""
         self._compiled = True
+        self.workshop.ask_anew()
         self.revision += 1
 
     def close(self, *, interrupted: bool = False) -> None:

@@ -140,6 +140,10 @@ class Workshop:
         self._offer = (technique, state, offer)
         return offer
 
+    def ask_anew(self) -> None:
+        """Forget the last offer: services have come that were missing when it was made."""
+        self._offer = None
+
     def variants(self, document: Document, count: int, intensity: float) -> tuple[Pose, ...]:
         """Return up to ``count`` small variations of the pose, as the technique in use makes them.
 

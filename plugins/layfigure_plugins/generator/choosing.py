@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from layfigure.figures.figure import Figure
 from layfigure.poses.locks import Lock
@@ -27,7 +27,7 @@ _OFF = "locks"
 
 @dataclass(frozen=True)
 class Choice:
-    """A page's candidates, what became of those tried, and where in the stream the next page begins.
+    """A page's candidates, what became of those ``tried``, and where in the stream the next page begins.
 
     ``left_out`` counts failures by reason; ``spare`` are candidates that keep their locks and fail a filter; ``seen``
     are the stream's poses up to here, because one that comes again is not tried again.
@@ -36,13 +36,9 @@ class Choice:
     passed: tuple[Pose, ...] = ()
     spare: tuple[Pose, ...] = ()
     left_out: Counter[str] = field(default_factory=Counter)
+    tried: int = 0
     end: int = 0
     seen: frozenset[Pose] = frozenset()
-
-    @property
-    def tried(self) -> int:
-        """How many different candidates were tried."""
-        return len(self.passed) + self.left_out.total()
 
 
 def choose(figure: Figure, generation: Generation, before: Choice, keep: Keep) -> Choice:
@@ -59,9 +55,7 @@ def choose(figure: Figure, generation: Generation, before: Choice, keep: Keep) -
     if not apart:
         return choice
     wanted = far_apart(figure, generation.base, choice.passed, PAGE_SIZE) if choice.passed else []
-    return Choice(
-        tuple(choice.passed[number] for number in wanted), choice.spare, choice.left_out, choice.end, choice.seen
-    )
+    return replace(choice, passed=tuple(choice.passed[number] for number in wanted))
 
 
 def _tried(figure: Figure, generation: Generation, before: Choice, aim: tuple[int, Keep]) -> Choice:
@@ -89,7 +83,8 @@ def _tried(figure: Figure, generation: Generation, before: Choice, aim: tuple[in
             if len(passed) == wanted:
                 turn = number + 1
                 break
-    return Choice(tuple(passed), tuple(spare[:PAGE_SIZE]), left_out, turn, frozenset(seen))
+    tried = len(passed) + left_out.total()
+    return Choice(tuple(passed), tuple(spare[:PAGE_SIZE]), left_out, tried, turn, frozenset(seen))
 
 
 def _new(poses: Sequence[Pose], first: int, seen: set[Pose]) -> Iterator[tuple[int, Pose]]:

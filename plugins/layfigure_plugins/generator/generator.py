@@ -116,7 +116,7 @@ class Generator:
         try:
             page = self.pages.page(state.generation, state.page)
         except ImpossibleError as error:  # no solver keeps locks yet
-            return Page((state.seed,), f"{error}; until then this is your pose")
+            return Page((state.seed,), f"{error}; this is your pose")
         return page if page.candidates else Page((state.seed,), page.note)
 
     def _candidate(self, state: State, candidate: int) -> Pose:

@@ -431,3 +431,10 @@ def test_a_pressed_filter_leaves_its_mark_on_the_page_and_in_the_log(session):
     assert session.offer().candidates != before and "off balance" in session.offer().note
     session.execute("balanced off")
     assert session.offer().candidates == before
+
+
+def test_a_technique_is_asked_again_once_the_kernels_are_there(session):
+    first = session.offer()
+    assert session.offer() is first
+    session.kernels_ready()
+    assert session.offer() is not first and session.offer() == first

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -51,3 +53,13 @@ def test_sampling_begins_far_from_the_seed_and_takes_no_pose_twice(humanoid: Fig
     poses = tuple(rest.with_joint(humanoid.index("leftupperarm"), 0, angle, 0) for angle in (1, 2, 90, 45, 3))
     assert far_apart(humanoid, rest, poses, 2) == [2, 3]
     assert far_apart(humanoid, rest, poses, 9) == [0, 1, 2, 3, 4]
+
+
+def test_all_that_were_tried_are_counted(generator: Generator, standing: Setting) -> None:
+    state = generator.start(standing)
+    for control in (Control("intensity", 20), Control("mutate"), Control("spread", "apart"), Control("balanced", True)):
+        state = generator.tell(state, control)
+    note = generator.ask(state).note
+    left, tried = (int(number) for number in re.findall(r"\d+", note)[:2])
+    assert tried >= left + 9
+    assert tried > 45
