@@ -30,6 +30,7 @@ class PanelText:
 T = TypeVar("T")
 
 DIAL, BUTTON, TOGGLE = 150, 32, 28  # layout units: the heights of the joint's dials, of buttons and of toggles
+ACROSS = 3
 
 ALWAYS = (
     ("Initialise", "initialise"),
@@ -56,12 +57,10 @@ def panel(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterato
     if text.offer.title:
         yield Label(column.row(22), text.offer.title, "title")
     yield from _values(column, text, key)
-    actions = [control for control in text.controls if isinstance(control, Action) and not control.argument]
-    below = (-(-len(actions) // 2) - (-len(ALWAYS) // 3)) * (BUTTON + GAP)
-    yield from _toggles(column, text, key, below)
-    yield from _buttons(column, actions, key)
-    column.row(4, 0)
-    yield from _always(column, text, key)
+    actions = [(c.title, c.name) for c in text.controls if isinstance(c, Action) and not c.argument]
+    buttons = [*actions, *ALWAYS]
+    yield from _toggles(column, text, key, -(-len(buttons) // ACROSS) * (BUTTON + GAP))
+    yield from _buttons(column, buttons, text, key)
 
 
 def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
@@ -87,7 +86,7 @@ def _values(column: Column, text: PanelText, key: Callable[[str], str]) -> Itera
 
 
 def _toggles(column: Column, text: PanelText, key: Callable[[str], str], below: float) -> Iterator[Widget]:
-    """Yield the toggles that leave room for what is ``below`` them; the palette has them all."""
+    """Yield the toggles that leave room for the buttons ``below`` them; the palette has them all."""
     toggles = [control for control in text.controls if isinstance(control, Toggle)]
     across = 2 if len(toggles) <= 2 else 4
     for row in _rows(toggles, across):
@@ -98,19 +97,13 @@ def _toggles(column: Column, text: PanelText, key: Callable[[str], str], below: 
             yield Button(rectangle, toggle.title, toggle.name, key(toggle.name), active=on)
 
 
-def _buttons(column: Column, actions: Sequence[Action], key: Callable[[str], str]) -> Iterator[Widget]:
-    for row in _rows(actions, 2):
+def _buttons(
+    column: Column, buttons: Sequence[tuple[str, str]], text: PanelText, key: Callable[[str], str]
+) -> Iterator[Widget]:
+    for row in _rows(buttons, ACROSS):
         if not column.fits(BUTTON):
             return
-        for rectangle, action in zip(column.split(2, BUTTON), row, strict=False):
-            yield Button(rectangle, action.title, action.name, key(action.name))
-
-
-def _always(column: Column, text: PanelText, key: Callable[[str], str]) -> Iterator[Widget]:
-    for row in _rows(ALWAYS, 3):
-        if not column.fits(BUTTON):
-            return
-        for rectangle, (title, command) in zip(column.split(3, BUTTON), row, strict=False):
+        for rectangle, (title, command) in zip(column.split(ACROSS, BUTTON), row, strict=False):
             yield Button(rectangle, title, command, key(command), active=command in text.on)
 
 
