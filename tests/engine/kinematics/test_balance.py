@@ -9,7 +9,7 @@ from layfigure.figures.build import build_figure
 from layfigure.figures.definition import Axis, JointDefinition, LimbDefinition, Volume
 from layfigure.figures.library import figure_names, load_figure
 from layfigure.kinematics.balance import centre_of_mass, lowest, masses, overhang, standing_floor
-from layfigure.kinematics.forward import place_pose
+from layfigure.kinematics.forward import place, place_pose
 from layfigure.kinematics.measures import body_height
 from layfigure.poses.pose import Pose
 
@@ -56,11 +56,9 @@ def test_the_humanoid_falls_when_it_leans_too_far():
     assert leans[0] < 0 < leans[2] < leans[3]
 
 
-def test_a_block_stands_until_its_centre_passes_the_edge():
+def test_a_block_has_half_its_narrow_side_to_spare():
     figure = solid(CUBE)
-    assert float(overhang(figure, placed(figure))) == pytest.approx(-1.0)  # its narrow half width
-    tall = solid(Volume("cube", ((-1, 0, -1), (1, 0, -1), (-1, 10, -1), (-1, 0, 1)), 0.0, "red"))
-    assert overhang(tall, placed(tall, 0, 0, 0)) < 0
+    assert float(overhang(figure, placed(figure))) == pytest.approx(-1.0)
 
 
 def test_a_lying_cylinder_rests_along_its_length():
@@ -92,7 +90,5 @@ def test_many_poses_at_once_give_what_each_gives_alone():
     chance = np.random.default_rng(5)
     poses = [Pose.of(chance.uniform(low, high)) for _ in range(6)]
     alone = [float(overhang(HUMANOID, place_pose(HUMANOID, pose))) for pose in poses]
-    from layfigure.kinematics.forward import place
-
     together = place(HUMANOID, np.stack([pose.angles for pose in poses]), np.zeros((6, 3)))
     np.testing.assert_allclose(overhang(HUMANOID, together), alone, atol=1e-9)
