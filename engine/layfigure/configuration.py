@@ -87,9 +87,7 @@ def load_bindings(host: Host, keymap: str) -> tuple[Binding, ...]:
         added.append((str(own), read_text(own)))
     for source, text in added:
         if extended_keymap(text, source):
-            raise LayfigureError(
-                f'{source}: "extends" is for shipped keymaps; this one comes after the one in use'
-            )
+            raise LayfigureError(f'{source}: "extends" is for shipped keymaps; this one comes after the one in use')
         found.extend(parse_keymap(text, source))
     return tuple(found)
 
