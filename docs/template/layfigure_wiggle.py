@@ -75,13 +75,15 @@ class Dots:
         for (left, top, width, height), (first, last), background in zip(
             render_list.rectangles, render_list.slices, render_list.backgrounds, strict=True
         ):
-            view = target.pixels[top : top + height, left : left + width]
+            above, before = max(top, 0), max(left, 0)
+            view = target.pixels[above : max(top + height, 0), before : max(left + width, 0)]
             view[:] = packed(background)
             for item in range(first, last):
                 x, y, _ = render_list.points[item, 0]
-                row, column = int(y) - top, int(x) - left
-                rgb = render_list.palette[render_list.colours[item]]
-                view[max(row - 2, 0) : max(row + 3, 0), max(column - 2, 0) : max(column + 3, 0)] = packed(rgb)
+                if np.isfinite(x) and np.isfinite(y):
+                    row, column = int(y) - above, int(x) - before
+                    dot = view[max(row - 2, 0) : max(row + 3, 0), max(column - 2, 0) : max(column + 3, 0)]
+                    dot[:] = packed(render_list.palette[render_list.colours[item]])
 
 
 def packed(rgb):

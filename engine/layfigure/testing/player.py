@@ -6,6 +6,7 @@ It goes through the session's one door, :meth:`Session.handle`, and so tests key
 from __future__ import annotations
 
 import importlib.metadata
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,8 @@ from layfigure.session.log import parse_log
 from layfigure.session.modes import PaletteMode
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import Session
+
+Floats = NDArray[np.float64]
 
 WORKING = -1
 """The working pose, where a method wants a candidate (which count from 0)."""
@@ -120,8 +123,7 @@ class Player:
         listed = stage.picture.render_list
         first = int(listed.segment_slices[pane.shot][0])
         begin, end = listed.segments[first + wanted][:, :2].astype(float)
-        for share in np.linspace(1.0, 0.0, 41):
-            x, y = (begin + (end - begin) * share).tolist()
+        for x, y in (*_along(end, begin), *_all_over(pane, end)):
             if pane.rectangle.contains(x, y) and stage.limb_at(pane, x, y) == wanted:
                 return x, y
         raise AssertionError(f"{limb} is hidden in view {view} of candidate {candidate}; try another view")
@@ -181,6 +183,20 @@ class Player:
         button = 1
         ctrl, shift, alt = (name in held for name in ("ctrl", "shift", "alt"))
         self._handle(PointerEvent(kind, *at, button, ctrl=ctrl, shift=shift, alt=alt))
+
+
+def _along(begin: Floats, end: Floats) -> Iterator[tuple[float, float]]:
+    """Yield points from one end of a line to the other."""
+    for share in np.linspace(0.0, 1.0, 41):
+        x, y = (begin + (end - begin) * share).tolist()
+        yield x, y
+
+
+def _all_over(pane: Pane, place: Floats) -> Iterator[tuple[float, float]]:
+    """Yield points all over a view, those nearest to a place first."""
+    left, top, width, height = pane.rectangle
+    points = [(x + 0.5, y + 0.5) for y in range(top, top + height, 3) for x in range(left, left + width, 3)]
+    yield from sorted(points, key=lambda point: float(np.hypot(point[0] - place[0], point[1] - place[1])))
 
 
 def _text(key: str) -> str:

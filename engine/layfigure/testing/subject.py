@@ -79,12 +79,11 @@ class Subject:
         """Return what becomes of a state by an event, the same twice; neither of the two is changed."""
         before = fingerprint((state, event))
         told = self._tell(state, event)
+        unchanged = fingerprint((state, event)) == before
+        self.require(unchanged, f"tell changes the state that it is given, on {spoken(event)}")
         again = self._tell(state, event)
         same = told.refusal == again.refusal and self.dump(told.state) == self.dump(again.state)
         self.require(same, f"tell gives two answers to one {spoken(event)}")
-        self.require(
-            fingerprint((state, event)) == before, f"tell changes the state that it is given, on {spoken(event)}"
-        )
         return told
 
     def recommend(self, state: Any) -> Pose:

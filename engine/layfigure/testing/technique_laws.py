@@ -77,7 +77,7 @@ def check_unknown_events(subject: Subject, setting: Setting) -> None:
         EVENTS[channel](*values) for channel, values in samples.items() if channel not in subject.record.channels
     ]
     for event in (*unknown, Control("there is no such control", 1.0), _Unheard()):
-        told = subject.tell(state, event)  # type: ignore[arg-type]
+        told = subject.tell(state, event)
         same = bool(told.refusal) or (
             subject.recommend(told.state) == setting.pose and offer_print(subject.ask(told.state)) == before
         )
