@@ -101,9 +101,7 @@ def _cases() -> Iterator[_Case]:
     one, close = scene("humanoid", (Rectangle(20, 10, 150, 140),)), scene("horse", (Rectangle(90, 60, 70, 80),), 8.0)
     for look in _LOOKS:
         yield _Case(f"the humanoid with {look}", one, look)
-        yield _Case(
-            f"a figure larger than its view with {look}", scene("horse", (Rectangle(90, 60, 70, 80),), 8.0), look
-        )
+        yield _Case(f"a figure larger than its view with {look}", close, look)
     for style in Style:
         yield _Case(f"style {style.name}", scene("humanoid", (Rectangle(20, 10, 150, 140),), 1.0, style))
     yield _Case("a view half outside the target", scene("humanoid", (Rectangle(-60, -40, 150, 140),)))
