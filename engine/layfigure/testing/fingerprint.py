@@ -58,7 +58,11 @@ def pose_print(pose: Pose) -> bytes:
     return pose.angles.tobytes() + pose.translation.tobytes()
 
 
+def lasting_print(offer: Offer) -> bytes:
+    """Return the bits of what an offer shows and a state is stored for: not its note, and not its marks."""
+    return fingerprint((offer.candidates, offer.title, offer.values, offer.address, offer.badges))
+
+
 def offer_print(offer: Offer) -> bytes:
     """Return the bits of everything that an offer shows, marks and cones included."""
-    shown = (offer.candidates, offer.title, offer.note, offer.values, offer.address, offer.badges)
-    return fingerprint((*shown, tuple(offer.marks()), tuple(offer.cones())))
+    return fingerprint((lasting_print(offer), offer.note, tuple(offer.marks()), tuple(offer.cones())))

@@ -141,7 +141,7 @@ def values_of(control: Action | Slider | Choice | Toggle) -> Iterator[float | st
     """Yield values over the range of a control."""
     match control:
         case Slider(low=low, high=high, step=step):
-            yield from (low, min(low + step, high), (low + high) / 2, high)
+            yield from (low, min(low + step, high), low + step * ((high - low) / step // 2), high)
         case Choice(options=options):
             yield from (option for option, _ in options)
         case Toggle():

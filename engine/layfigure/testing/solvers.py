@@ -38,6 +38,7 @@ def check_solver(record: Solver, figures: Sequence[Figure | str] = (), seed: int
     Joints keep their limits, and those outside go no farther; what is not to move stays to the last bit; solving and
     stepping are pure and never give numbers that are not finite; errors are those of the pose by forward kinematics,
     and no worse than before for a single goal; what is at its goals stays at rest; a follower keeps the same laws.
+    A solver may refuse tasks other than positions with a sentence.
 
     Raises:
         AssertionError: a law is broken; the sentence says which, on which figure.
@@ -115,14 +116,20 @@ class _Examined:
 
 
 def _check_problem(examined: _Examined, pose: Pose, problem: Problem) -> None:
-    for answer in examined.answers(pose, problem):
+    simple = all(isinstance(task, PositionTask) for task in problem.tasks)
+    try:
+        answers = examined.answers(pose, problem)
+    except LayfigureError as error:
+        examined.require(not simple, f"it refuses a problem of positions alone ({error})")
+        return
+    for answer in answers:
         _check_pose(examined, pose, problem, (answer.name, answer.solution.pose))
         _check_errors(examined, problem, answer)
         if answer.name == "solve" and len(problem.tasks) == 1:
             before = true_errors(examined.figure, pose, problem.tasks)[0] + examined.slack(problem.tasks[0])
             after = true_errors(examined.figure, answer.solution.pose, problem.tasks)[0]
             examined.require(after <= before, "solve ends farther from its only goal than it began")
-    if all(isinstance(task, PositionTask) for task in problem.tasks):
+    if simple:
         _check_follower(examined, pose, problem)
 
 
@@ -201,18 +208,21 @@ def _check_strayed(examined: _Examined, chance: np.random.Generator) -> None:
         beyond = np.where(figure.arrays.has_dof[limb], np.clip(high + 15.0, -85.0, 85.0), 0.0)
         pose = pose.with_joint(limb, *np.where(beyond > high, beyond, np.clip(0.0, low, high)).tolist())
     for problem in problems(figure, pose, chance):
-        for name, solution in examined.answers(pose, problem):
-            _check_pose(examined, pose, problem, (name, solution.pose))
+        _check_outcome(examined, pose, problem)
 
 
 def _check_absurd(examined: _Examined, pose: Pose) -> None:
     """Goals out of all reach, and goals that are no numbers, give a finite pose or one sentence."""
     for problem in absurd_problems(examined.figure, pose):
-        try:
-            for name, solution in examined.answers(pose, problem):
-                _check_pose(examined, pose, problem, (name, solution.pose))
-        except LayfigureError as error:
-            examined.require(bool(str(error)), "it refuses a problem without a sentence")
+        _check_outcome(examined, pose, problem)
+
+
+def _check_outcome(examined: _Examined, pose: Pose, problem: Problem) -> None:
+    try:
+        for name, solution in examined.answers(pose, problem):
+            _check_pose(examined, pose, problem, (name, solution.pose))
+    except LayfigureError as error:
+        examined.require(bool(str(error)), "it refuses a problem without a sentence")
 
 
 def _check_follower(examined: _Examined, pose: Pose, problem: Problem) -> None:

@@ -10,7 +10,7 @@ from layfigure.errors import LayfigureError
 from layfigure.plugins.records import Technique
 from layfigure.session.words import split_line
 from layfigure.techniques.contract import Action, Choice, Control, Setting, Shortcut, Slider, Toggle
-from layfigure.testing.fingerprint import offer_print, pose_print
+from layfigure.testing.fingerprint import lasting_print, offer_print, pose_print
 from layfigure.testing.scenes import EVENTS, nonsense_for, values_of
 from layfigure.testing.subject import Subject, spoken
 
@@ -107,13 +107,16 @@ def check_storage(subject: Subject, setting: Setting) -> None:
 
 
 def check_round_trip(subject: Subject, state: Any) -> None:
-    """Check that another object of the technique loads what was dumped, and offers and recommends the same."""
+    """Check that another object of the technique loads what was dumped, and offers and recommends the same.
+
+    What an offer says of a gesture that is going on, its note and its marks, need not outlast it.
+    """
     data = json.loads(subject.dump(state))
     other = subject.fresh()
     try:
         loaded = other.load(data)
-        shown, pose = offer_print(other.ask(loaded)), other.recommend(loaded)
+        shown, pose = lasting_print(other.ask(loaded)), other.recommend(loaded)
     except Exception as error:
         raise subject.breach(f"a dumped state cannot be loaded: {type(error).__name__} ({error})") from error
     subject.require(pose_print(pose) == pose_print(subject.recommend(state)), "a loaded state stands at another pose")
-    subject.require(shown == offer_print(subject.ask(state)), "a loaded state offers something else")
+    subject.require(shown == lasting_print(subject.ask(state)), "a loaded state offers something else")

@@ -33,9 +33,10 @@ def check_technique(
     """Check the laws that every technique has to obey, on some figures (all the shipped ones unless given).
 
     Asking and telling are pure; a set pose is kept to the last bit; limbs that may not change and locked joints do not
-    change whatever is told; limits are kept, unless the technique says by ``keeps_limits=False`` that it leaves them
-    on purpose; controls work over their range and refuse anything else; a dumped state is loaded as it was; events of
-    all kinds, sense and nonsense, never give numbers that are not finite. ``host`` has the solvers it asks for.
+    change whatever is told; controls work over their range and refuse anything else; a dumped state is loaded as it
+    was; events of all kinds, sense and nonsense, never give numbers that are not finite. Limits are kept, unless a
+    toggle "limits" of the technique is off, or ``keeps_limits=False`` says that it leaves them on purpose. ``host`` has
+    the solvers that it asks for.
 
     Raises:
         AssertionError: a law is broken; the sentence says which, on which figure, by which event.

@@ -14,6 +14,9 @@ from layfigure.testing.scenes import Scene, legal_pose, outside_limits
 from layfigure.testing.subject import Subject, spoken
 from layfigure.testing.technique_laws import check_round_trip
 
+LIMITS = "limits"
+"""A technique that has a toggle of this name keeps joint limits while it is on."""
+
 _HOUSE = ("pose", "edit", "rest", "enabled", "locks")
 """What the house tells every technique, whatever its channels."""
 
@@ -102,13 +105,17 @@ class Walk:
         """Return the offer after an event; no pose in it may move what has to stay, or leave limits."""
         offer = self._subject.ask(self._state)
         pose = self._subject.recommend(self._state)
-        self._check(pose, f"the pose after {after}")
+        outside = outside_limits(self._subject.figure, pose)
+        if offer.values.get(LIMITS) is False:
+            self._strayed |= outside
+        limits = self._keeps_limits and offer.values.get(LIMITS) is not False
+        self._check(pose, f"the pose after {after}", limits)
         for number, candidate in enumerate(offer.candidates, start=1):
-            self._check(candidate, f"candidate {number} after {after}")
-        self._strayed &= outside_limits(self._subject.figure, pose)
+            self._check(candidate, f"candidate {number} after {after}", limits)
+        self._strayed &= outside
         return offer
 
-    def _check(self, pose: Pose, what: str) -> None:
+    def _check(self, pose: Pose, what: str, limits: bool) -> None:
         figure = self._subject.figure
         moved = pose.angles != self._still.angles
         missing = ~figure.arrays.has_dof
@@ -120,7 +127,7 @@ class Walk:
         locked = np.zeros(len(figure.limbs), dtype=bool)
         locked[sorted(locked_joints(self._locks))] = True
         self._refuse(moved.any(axis=1) & locked, f"{what} moves LIMB, whose joint is locked")
-        if self._keeps_limits:
+        if limits:
             self._refuse(outside_limits(figure, pose) & ~self._strayed, f"{what} takes LIMB beyond its limits")
 
     def _refuse(self, limbs: np.ndarray[Any, np.dtype[np.bool_]], sentence: str) -> None:
