@@ -260,7 +260,8 @@ class Host:
             self._relay.unregister(plugin)
         for _, kind, records in self._shelves():
             for identifier in [i for i, record in records.items() if self.owner(record) == name]:
-                del records[identifier], self._owners[kind, identifier]
+                del records[identifier]
+                self._owners.pop((kind, identifier), None)
 
 
 def _same_file(one: str, other: str) -> bool:

@@ -1,24 +1,43 @@
 """The keymaps for people who come from other programs: they lose nothing that the default map can do."""
 
+from functools import cache
+
 import pytest
 
 from layfigure.configuration import keymap_names, load_bindings
 from layfigure.errors import LayfigureError
 from layfigure.plugins.host import Host
 from layfigure.session.commands import BUILT_IN
-from layfigure.session.keymap import STATES, KeyTable, Situation, extended_keymap
+from layfigure.session.keymap import STATES, KeyTable, Situation, control_bindings, extended_keymap
 
 PRESETS = sorted(set(keymap_names()) - {"layfigure"})
 FRONTENDS = ("sdl", "terminal", "headless")
 
 
+HOST = Host.discover()
+
+
 def situations() -> list[Situation]:
-    return [Situation(state, "", frontend) for state in STATES for frontend in FRONTENDS]
+    """Return every state of the interface under every technique, with its channels, and under none."""
+    techniques = [("", frozenset()), *((record.id, record.channels) for record in HOST.techniques.values())]
+    return [
+        Situation(state, technique, frontend, channels)
+        for state in STATES
+        for frontend in FRONTENDS
+        for technique, channels in techniques
+    ]
+
+
+@cache
+def table(name: str) -> KeyTable:
+    """Return a keymap with the techniques' own keys, as a session puts them together."""
+    own = [b for record in HOST.techniques.values() for b in control_bindings(record.id, record.title, record.controls)]
+    return KeyTable((*own, *load_bindings(Host(), name)))
 
 
 def meanings(name: str, situation: Situation) -> dict[str, str]:
     """Return what every key of a keymap does in a situation."""
-    keys = KeyTable(load_bindings(Host(), name))
+    keys = table(name)
     pressed = {key for binding in keys.valid(situation) for key in binding.keys}
     return {key: command for key in sorted(pressed) if (command := keys.resolve(key, situation))}
 
@@ -36,9 +55,8 @@ def test_a_preset_binds_every_command_that_the_default_map_binds(name):
 
 @pytest.mark.parametrize("name", keymap_names())
 def test_every_bound_command_exists(name):
-    for situation in situations():
-        unknown = {line.split()[0] for line in meanings(name, situation).values()} - set(BUILT_IN)
-        assert not unknown, f"{name}.toml binds {sorted(unknown)}, which nobody knows"
+    unknown = {binding.command.split()[0] for binding in load_bindings(Host(), name)} - set(BUILT_IN)
+    assert not unknown, f"{name}.toml binds {sorted(unknown)}, which nobody knows"
 
 
 @pytest.mark.parametrize("name", keymap_names())
@@ -52,7 +70,7 @@ def test_nothing_is_bound_to_what_terminals_send_for_other_keys(name):
 def test_no_command_needs_two_modifiers_at_once(name):
     for situation in situations():
         bound = meanings(name, situation)
-        easy = {command for key, command in bound.items() if key.removesuffix("++").count("+") < 2}
+        easy = {command for key, command in bound.items() if key.removesuffix("+").count("+") < 2}
         hard = set(bound.values()) - easy
         assert not hard, f"give {sorted(hard)} a second key with fewer modifiers"
 
@@ -60,9 +78,11 @@ def test_no_command_needs_two_modifiers_at_once(name):
 @pytest.mark.parametrize("name", keymap_names())
 @pytest.mark.parametrize("frontend", FRONTENDS)
 def test_undo_and_flip_are_the_same_everywhere(name, frontend):
-    bound = meanings(name, Situation("pose", "", frontend))
-    wanted = {"ctrl+z": "undo", "u": "undo", "shift+u": "redo", "ctrl+y": "redo", "x": "flip", "4": "choose 4"}
-    assert {key: bound.get(key) for key in wanted} == wanted
+    wanted = {"ctrl+z": "undo", "u": "undo", "shift+u": "redo", "ctrl+y": "redo", "x": "flip"}
+    for situation in situations():
+        if situation.state == "pose" and situation.frontend == frontend:
+            bound = meanings(name, situation)
+            assert {key: bound.get(key) for key in wanted} == wanted, situation
 
 
 def test_blender_people_find_their_keys():
@@ -74,7 +94,7 @@ def test_blender_people_find_their_keys():
 
 def test_maya_people_find_their_keys():
     bound = meanings("maya", Situation("pose", "", "sdl"))
-    wanted = {"w": "use ik", "e": "use fk", "f": "view front", "up": "parent-limb", "z": "undo", "s": "save"}
+    wanted = {"w": "use ik", "e": "use fk", "f": "frame", "up": "parent-limb", "z": "undo", "s": "save"}
     assert {key: bound.get(key) for key in wanted} == wanted
 
 
