@@ -20,5 +20,5 @@ def test_a_command_is_typed_into_the_palette_and_what_it_does_is_logged():
     player.run("bow 40")
     figure = player.session.document.figure
     assert player.session.document.pose.angles[figure.index("spine"), 0] == -40.0
-    assert player.log[-1] == "set spine -40.0 0 0"
+    assert player.log[-1] == "set spine -40 0 0"
     assert player.replay().document.pose == player.session.document.pose
