@@ -54,6 +54,9 @@ MOST_STRIDES, PATIENCE, PROGRESS = 60, 2, 0.02
 MENDED = 0.5
 """The share of what locks allow that a drag may use up before they are met again."""
 
+FARTHEST = 1e5
+"""How far from the origin a goal may be on each axis, in figure units; poses farther off could not be stored."""
+
 
 @dataclass(frozen=True)
 class InverseState:
@@ -188,8 +191,9 @@ class Inverse:
         return replace(moved, memory=(), note="", goal=None, limb=state.limb if event.limbs else -1)
 
     def _check(self, state: InverseState, goal: Goal) -> None:
-        if not 0 <= goal.limb < len(self.figure.limbs) or not np.isfinite(goal.position).all():
-            raise ImpossibleError("a goal needs a limb of the figure and a finite place")
+        near = np.abs(goal.position).max() <= FARTHEST  # not so for what is no number
+        if not 0 <= goal.limb < len(self.figure.limbs) or not near:
+            raise ImpossibleError(f"a goal needs a limb of the figure and a place within {FARTHEST:.0f} units")
         if any(isinstance(lock, Pin) and lock.limb == goal.limb for lock in state.locks):
             raise ImpossibleError(f"the {self.figure.names[goal.limb]} is pinned in its place; release it first")
 
