@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
@@ -13,17 +13,23 @@ class Row:
     """A measurement: what was done, the median, the target of the house, and a peer measured in the same run.
 
     ``ratio`` is peer / ours (greater than 1: we are faster), None without a peer.
+
+    Where several systems do the same work, each has a row of its own: ``system`` says whose, ``measures`` holds further
+    figures by heading, and ``ratio`` is this system's value / that of the first of ours. ``value`` is None where there
+    is nothing to tell but the note, such as a peer that is not installed.
     """
 
     area: str
     work: str
-    value: float
+    value: float | None
     unit: str
     target: str = ""
     peer: str = ""
     peer_value: float | None = None
     ratio: float | None = None
     note: str = ""
+    system: str = ""
+    measures: Mapping[str, float] = field(default_factory=dict)
 
 
 def median_seconds(work: Callable[[], object], repeats: int, warm_up: int = 3) -> float:
