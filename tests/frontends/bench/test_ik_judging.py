@@ -63,7 +63,7 @@ def test_a_right_answer_outside_the_limits_is_no_success_and_is_counted(humanoid
 
 def test_who_never_moves_is_even_but_left_behind(humanoid, toy_host):
     (system, _) = host_systems(toy_host(still), humanoid)
-    for work in drags(humanoid, 2):
+    for work in drags(humanoid, 1):
         measures = system_row(work, system).measures
         assert measures["joint °"] == measures["jumps"] == measures["shake °"] == measures["outside"] == 0
         if work.leaves:

@@ -28,7 +28,7 @@ class Tuning:
 
 
 SOLVES = Tuning(1e-4)
-DRAGS = Tuning(1e-3)
+DRAGS = Tuning(1e-3, by_error=1.0)
 POSTURED = Tuning(1e-3, by_error=1.0)  # tuned on these drags: the calmest that still lifts a foot
 
 
