@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure.kinematics.swing import DECIMALS
 from layfigure_frontends.bench.ik.model import Ends, Floats, Model
 from layfigure_frontends.bench.ik.nearest import nearest, rms
 from layfigure_frontends.bench.ik.running import Outcome
@@ -34,11 +37,14 @@ def near(missed: Floats) -> NDArray[np.bool_]:
 
 
 def excess(model: Model, angles: Floats) -> Floats:
-    """Return by how many degrees the worst joint of each answer is outside its limits, (...,); 0 inside."""
+    """Return by how many degrees the worst joint of each answer is outside its limits, (...,); 0 inside.
+
+    Rounded as poses are: a peer's radians do not come back to the same degrees in the last digits.
+    """
     limits = model.figure.arrays.limits[1:]
     found = np.nan_to_num(angles[..., 1:, :], nan=np.inf)
     outside = np.maximum(limits[..., 0] - found, found - limits[..., 1])
-    return np.asarray(np.maximum(outside.max(axis=(-2, -1)), 0.0))
+    return np.asarray(np.maximum(outside.max(axis=(-2, -1)), 0.0).round(DECIMALS))
 
 
 def solve_figures(model: Model, work: Solves, outcome: Outcome) -> dict[str, float]:
@@ -73,6 +79,18 @@ def shake(angles: Floats) -> float:
     return float(np.median(np.abs(np.diff(angles, n=2, axis=1)).max(axis=(-3, -2, -1))))
 
 
+def farthest(steps: int) -> int:
+    """Return the step at which goals that go there and back are farthest away."""
+    return steps // 2 - 1
+
+
+@lru_cache(maxsize=64)
+def least(model: Model, work: Drags) -> Floats:
+    """Return the least root mean square miss known at the farthest point of each path, (p,); kept, for it is slow."""
+    goals = work.goals(model)
+    return nearest(model, work.ends, goals[:, farthest(goals.shape[1])])
+
+
 def return_figures(model: Model, work: Drags, outcome: Outcome) -> dict[str, float]:
     """Return what holds of drags out of reach and back.
 
@@ -81,9 +99,9 @@ def return_figures(model: Model, work: Drags, outcome: Outcome) -> dict[str, flo
     """
     missed = misses(model, work.ends, outcome)
     steps = missed.shape[1]
-    half = steps // 2 - 1
+    half = farthest(steps)
     reached = rms(missed[:, half])
-    over = reached - np.minimum(nearest(model, work.ends, outcome.goals[:, half]), reached)
+    over = reached - np.minimum(least(model, work), reached)
     return {
         "excess %": 100.0 * float(over.max()),
         "shake ° far": shake(outcome.angles[:, steps // 4 : 3 * steps // 4]),

@@ -30,7 +30,7 @@ def rows(quick: bool) -> list[Row]:
     forwards = (*forward.ours(figure), *(one for peer in found for one in peer.forwards))
     return [
         *forward.rows(figure, forwards, 20 if quick else 100),
-        *work_rows(figure, systems, (60, 2) if quick else (1000, 10)),
+        *work_rows(figure, systems, (60, 1) if quick else (1000, 10)),
         *(Row(AREA, "ik: peers", None, "", system=peer.title, note=peer.told) for peer in found),
     ]
 

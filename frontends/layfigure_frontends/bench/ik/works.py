@@ -20,7 +20,7 @@ CLOSE = 0.001
 STEPS = 200
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solves:
     """Goals to be reached from one start (n, 3): the ends of the poses ``answers`` (m, n, 3), so all are reachable."""
 
@@ -37,10 +37,10 @@ class Solves:
 
     def goals(self, model: Model) -> Floats:
         """Return the goals (m, k, 3) of a joint model."""
-        return model.tips(self.answers)[:, self.ends.limbs]
+        return np.ascontiguousarray(model.tips(self.answers)[:, self.ends.limbs])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Drags:
     """Goals to be followed: p paths from ``starts`` (p, n, 3), each of s steps; ``goals(model)`` is (p, s, k, 3).
 
@@ -97,7 +97,11 @@ def _taken(name: str, ends: Ends, given: tuple[Figure, Floats, int], target: str
     moving = paths.through_poses(figure, ends, (start, count, STEPS))
     needs = float(np.abs(np.diff(moving, axis=1)).max())
     starts = np.repeat(start[None], count, axis=0)
-    return Drags(name, ends, starts, lambda model: model.tips(moving)[:, :, ends.limbs], needs, target=target)
+
+    def goals(model: Model) -> Floats:
+        return np.ascontiguousarray(model.tips(moving)[:, :, ends.limbs])
+
+    return Drags(name, ends, starts, goals, needs, target=target)
 
 
 def _lifted(name: str, figure: Figure, lead: str) -> Drags:
@@ -128,7 +132,7 @@ def _outward(name: str, ends: Ends, given: tuple[Figure, int]) -> Drags:
         near = model.tips(starts)[:, None, list(ends.limbs)]
         away = near - base
         far = base + away * (reach / np.linalg.norm(away, axis=-1, keepdims=True))
-        return np.asarray(near + (far - near) * paths.there_and_back(STEPS)[:, None, None])
+        return np.ascontiguousarray(near + (far - near) * paths.there_and_back(STEPS)[:, None, None])
 
     target = "excess <= 1 %, shake <= 2, back 100 %"
     return Drags(name, ends, starts, goals, leaves=True, target=target)
