@@ -7,8 +7,8 @@ import numpy as np
 from layfigure_frontends.bench.ik.model import Ends, Floats, Model, degrees_of_freedom, inside_domain
 from layfigure_frontends.bench.ik.paths import poses
 
-STARTS = 12
-ROUNDS = 60
+STARTS = 8
+ROUNDS = 40
 _STEP = 1e-4  # degrees, for differences
 
 
