@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 
 @dataclass(frozen=True)
@@ -30,6 +30,14 @@ class Row:
     note: str = ""
     system: str = ""
     measures: Mapping[str, float] = field(default_factory=dict)
+
+
+def compared(rows: Sequence[Row], system: str) -> list[Row]:
+    """Return rows of one work with their values as multiples of one system's; as they are where it has none."""
+    first = next((row.value for row in rows if row.system == system), None)
+    if not first:
+        return list(rows)
+    return [row if row.value is None else replace(row, ratio=row.value / first) for row in rows]
 
 
 def median_seconds(work: Callable[[], object], repeats: int, warm_up: int = 3) -> float:

@@ -42,7 +42,7 @@ def _of_systems(work: str, rows: Sequence[Row]) -> Table:
     """Return the table of one work: a line per system, a column per figure."""
     measures = tuple(dict.fromkeys(name for row in rows for name in row.measures))
     lines = tuple(
-        (row.system, _measured(row), _ratio(row), *(_figure(row, name) for name in measures), row.note) for row in rows
+        (row.system, _measured(row), _times(row), *(_figure(row, name) for name in measures), row.note) for row in rows
     )
     target = next((row.target for row in rows if row.target), "")
     title = f"{work}: target {target}" if target else work
@@ -55,6 +55,10 @@ def _measured(row: Row) -> str:
 
 def _ratio(row: Row) -> str:
     return "" if row.ratio is None else f"{row.ratio:.1f}"
+
+
+def _times(row: Row) -> str:
+    return "" if row.ratio is None else _number(row.ratio)
 
 
 def _figure(row: Row, name: str) -> str:

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 from layfigure.poses.pose import Pose
-from layfigure_frontends.bench.ik.measuring import compared, system_row, work_rows
+from layfigure_frontends.bench.ik.measuring import system_row, work_rows
 from layfigure_frontends.bench.ik.model import arm, body, middle, swing_twist
 from layfigure_frontends.bench.ik.nearest import nearest
 from layfigure_frontends.bench.ik.paths import poses
 from layfigure_frontends.bench.ik.systems import host_systems
 from layfigure_frontends.bench.ik.works import STEPS, drags, solves
-from layfigure_frontends.bench.rows import Row
 
 
 def knowing(figure, work):
@@ -100,14 +99,9 @@ def test_a_solver_that_raises_costs_the_others_nothing(humanoid, toy_host):
         raise ZeroDivisionError("of all things")
 
     systems = host_systems(toy_host(breaking), humanoid)[:1] + host_systems(toy_host(still), humanoid)[:1]
-    rows = work_rows(humanoid, systems, (3, 1))
+    rows = work_rows(humanoid, systems[:1], systems[1:], (3, 1))
     assert {row.note for row in rows[::2]} == {"failed: ZeroDivisionError: of all things"}
     assert all(row.value is None for row in rows[::2]) and all(row.value for row in rows[1::2])
-
-
-def test_times_are_told_as_multiples_of_the_first_system():
-    rows = compared(Row("ik", "solve", value, "us", system=name) for value, name in ((4.0, "ours"), (6.0, "theirs")))
-    assert [row.ratio for row in rows] == [1.0, 1.5]
 
 
 def test_goals_come_from_poses_within_limits_and_only_of_limbs_that_may_turn(humanoid):

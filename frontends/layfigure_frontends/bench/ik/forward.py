@@ -12,7 +12,7 @@ from layfigure.kinematics.compiled_forward import ForwardKinematics
 from layfigure.poses.pose import Pose
 from layfigure_frontends.bench.ik.model import Floats, Model, body, swing_twist
 from layfigure_frontends.bench.ik.paths import poses
-from layfigure_frontends.bench.rows import Row, median_seconds
+from layfigure_frontends.bench.rows import Row, compared, median_seconds
 
 BATCH = 10_000
 CALLS = 200
@@ -56,9 +56,9 @@ def _fixed(model: Model) -> Callable[[Floats], Callable[[], Floats]]:
 def rows(figure: Figure, systems: Sequence[Forward], repeats: int) -> list[Row]:
     """Return a row per program for one pose, then a row per program for the batch; times per pose."""
     given = poses(figure, body(figure), (np.zeros((len(figure.limbs), 3)), BATCH, 5))
-    found = [_one(system, given[0], repeats) for system in systems]
-    found += [_batch(system, given, max(repeats // 20, 3)) for system in systems]
-    return found
+    one = [_one(system, given[0], repeats) for system in systems]
+    batch = [_batch(system, given, max(repeats // 20, 3)) for system in systems]
+    return [*compared(one, systems[0].name), *compared(batch, systems[0].name)]
 
 
 def _one(system: Forward, angles: Floats, repeats: int) -> Row:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +16,7 @@ from layfigure_frontends.bench.ik.running import Outcome, run_drags, run_solves
 from layfigure_frontends.bench.ik.systems import System, host_systems
 from layfigure_frontends.bench.ik.works import Drags, Solves, drags, solves
 from layfigure_frontends.bench.peers.installed import PEERS, find
-from layfigure_frontends.bench.rows import Row
+from layfigure_frontends.bench.rows import Row, compared
 
 AREA = "ik"
 
@@ -26,23 +26,23 @@ def rows(quick: bool) -> list[Row]:
     figure = scenes.humanoid()
     found = [find(peer, figure) for peer in PEERS]
     ours = host_systems(Host.discover(), figure)
-    systems = (*ours, *(system for peer in found for system in peer.systems))
+    theirs = tuple(system for peer in found for system in peer.systems)
     forwards = (*forward.ours(figure), *(one for peer in found for one in peer.forwards))
     return [
         *forward.rows(figure, forwards, 20 if quick else 100),
-        *work_rows(figure, systems, (60, 1) if quick else (1000, 10)),
+        *work_rows(figure, ours, theirs, (60, 1) if quick else (1000, 10)),
         *(Row(AREA, "ik: peers", None, "", system=peer.title, note=peer.told) for peer in found),
     ]
 
 
-def work_rows(figure: Figure, systems: Sequence[System], counts: tuple[int, int]) -> list[Row]:
-    """Return a row per work and system, for so many goals and so many paths; the first system is what others are
-    compared to."""
+def work_rows(figure: Figure, ours: Sequence[System], theirs: Sequence[System], counts: tuple[int, int]) -> list[Row]:
+    """Return a row per work and system, for so many goals and so many paths, compared to the first of ours."""
     goals, paths = counts
     found: list[Row] = []
     works: tuple[Solves | Drags, ...] = (*solves(figure, goals), *drags(figure, paths))
     for work in works:
-        found += compared(row for system in systems if (row := system_row(work, system)) is not None)
+        done = [row for system in (*ours, *theirs) if (row := system_row(work, system)) is not None]
+        found += compared(done, ours[0].name if ours else "")
     return found
 
 
@@ -55,15 +55,6 @@ def system_row(work: Solves | Drags, system: System) -> Row | None:
         return _filled(blank, run_drags(system, work), lambda done: drag_figures(system.model, work, done))
     except Exception as error:  # one program's failure must not cost the others their rows
         return replace(blank, note=f"failed: {type(error).__name__}: {error}"[:200])
-
-
-def compared(rows: Iterable[Row]) -> list[Row]:
-    """Return rows of one work with their times as multiples of the first one's."""
-    found = list(rows)
-    first = found[0].value if found else None
-    if not first:
-        return found
-    return [row if row.value is None else replace(row, ratio=row.value / first) for row in found]
 
 
 def _title(work: Solves | Drags) -> str:

@@ -12,7 +12,7 @@ from layfigure_frontends.bench.peers.hinges import METRES, Joints
 SOLVE_ITERATIONS = 100
 DRAG_ITERATIONS = 30
 SOLVE_STARTS = 50
-DRAG_STARTS = 10
+DRAG_STARTS = 4
 
 
 class Descent(Protocol):
