@@ -14,7 +14,7 @@ import click
 @click.option("--markdown", "form", flag_value="markdown", help="As tables in Markdown, for a page.")
 @click.option("--quick", is_flag=True, help="Fewer repeats; rougher numbers.")
 def command(areas: tuple[str, ...], form: str | None, quick: bool) -> int:
-    """Measure drawing, kinematics, the generator and start-up on this machine, beside peers where installed."""
+    """Measure drawing, kinematics forward and inverse, the generator and start-up, beside peers where installed."""
     from layfigure_frontends.bench.run import area_names, measure
     from layfigure_frontends.bench.tables import markdown, print_tables
 
