@@ -1,0 +1,34 @@
+"""The compiled half of the solver, and the only place where it meets numba.
+
+The one module beside this is the one entry point with all it calls: numba notices a change in the file of the cached
+function only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from layfigure.compiled import prepare
+
+prepare()  # the cache folder must be chosen before numba is imported
+
+import numba  # noqa: E402
+
+# No fastmath: what is computed here becomes poses. A division by zero gives what numpy gives, not an exception.
+_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+_ENTRY: dict[str, Any] = {**_OPTIONS, "cache": True}
+_INNER: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
+
+def jit(signature: Any = None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Return the decorator of all kernels here; the entry point names its signature and is cached with all it calls.
+
+    The rest is never called from Python; leaving out its wrappers and cache files makes a cold start shorter.
+    """
+    return numba.njit(**_INNER) if signature is None else numba.njit(signature, **_ENTRY)
+
+
+def array(scalar: Any, dimensions: int, readonly: bool = False) -> Any:
+    """Return the numba type of a C-contiguous array."""
+    return numba.types.Array(scalar, dimensions, "C", readonly=readonly)
