@@ -9,21 +9,21 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.techniques.solving import DirectionTask, OffsetTask, OrientationTask, PositionTask, Problem, Task
-from layfigure_plugins.dls.kernels import moving
+from layfigure_plugins.dls.kernels import layout
 
 Integers = NDArray[np.int64]
 
 _KINDS: dict[type, int] = {
-    PositionTask: moving.POSITION,
-    DirectionTask: moving.DIRECTION,
-    OrientationTask: moving.ORIENTATION,
-    OffsetTask: moving.OFFSET,
+    PositionTask: layout.POSITION,
+    DirectionTask: layout.DIRECTION,
+    OrientationTask: layout.ORIENTATION,
+    OffsetTask: layout.OFFSET,
 }
-_ROWS = {moving.POSITION: 3, moving.DIRECTION: 2, moving.ORIENTATION: 3, moving.OFFSET: 3}
+_ROWS = {layout.POSITION: 3, layout.DIRECTION: 2, layout.ORIENTATION: 3, layout.OFFSET: 3}
 
 
 class Plan(NamedTuple):
-    """Arrays of :mod:`layfigure_plugins.dls.kernels.moving`, and how large its room must be."""
+    """Arrays of :mod:`layfigure_plugins.dls.kernels.layout`, and how large its room must be."""
 
     links: Integers
     pairs: Integers

@@ -13,7 +13,7 @@ from layfigure.kinematics.measures import body_height
 from layfigure.kinematics.swing import half_vector
 from layfigure.poses.pose import Pose
 from layfigure.techniques.solving import DirectionTask, OffsetTask, OrientationTask, PositionTask, Problem, Task
-from layfigure_plugins.dls.kernels import moving as m
+from layfigure_plugins.dls.kernels import layout as m
 from layfigure_plugins.dls.plan import Plan
 
 Floats = NDArray[np.float64]
@@ -92,6 +92,7 @@ def room_of(table: FigureTable, plan: Plan, pose: Pose, problem: Problem) -> Roo
     knobs[m.REST] = max(1e-3 * problem.tolerance, 1e-6 * table.height)
     knobs[m.MUSTS], knobs[m.ROWS] = plan.musts, plan.rows
     knobs[m.TOWARDS] = m.TARGET
+    knobs[m.EAGER] = 1.0
     jacobian = np.zeros((plan.columns + 1, 3 * max(len(problem.tasks), 1)))
     normal = np.zeros((plan.rows + 2, plan.rows))
     return Room(goals, body, jacobian, normal, knobs, pose.angles.copy())

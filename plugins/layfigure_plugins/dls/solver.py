@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
-from layfigure.techniques.solving import PositionTask, Problem, Solution
-from layfigure_plugins.dls.kernels import moving
+from layfigure.techniques.solving import Problem, Solution
+from layfigure_plugins.dls.kernels import layout
+from layfigure_plugins.dls.kernels.moving import run
 from layfigure_plugins.dls.plan import Plan, ancestors_of, plan_of
 from layfigure_plugins.dls.room import FigureTable, room_of
 
@@ -32,13 +33,15 @@ class DampedLeastSquares:
         return drag.solution()
 
     def step(self, pose: Pose, problem: Problem, memory: tuple[float, ...] = ()) -> Solution:
-        """Return the pose after one step of a drag; see the contract. ``memory`` is the damping."""
+        """Return the pose after one step of a drag; see the contract. ``memory`` is the damping and how strong the pull is."""
         drag = self.follow(pose, problem, memory)
         before = drag.errors()
         drag.step(_NO_POSITIONS)
         after = drag.solution()
         # what rounding leaves is not worth moving for: a pose at rest keeps its bits
-        if max(before, default=0.0) <= min(problem.tolerance, problem.degrees) and sum(after.errors) > 0.8 * sum(before):
+        if max(before, default=0.0) <= min(problem.tolerance, problem.degrees) and sum(after.errors) > 0.8 * sum(
+            before
+        ):
             return Solution(pose, before, after.met, after.memory)
         return after
 
@@ -63,34 +66,35 @@ class Drag:
         self._pose = pose
         self._problem = problem
         self._room = room = room_of(table, plan, pose, problem)
-        if memory and 0.0 < memory[0] < np.inf:
-            room.knobs[moving.DAMPING] = memory[0]
+        if len(memory) == 2 and np.isfinite(memory).all():
+            room.knobs[layout.DAMPING] = min(max(memory[0], 0.1), layout.MOST_DAMPING)
+            room.knobs[layout.EAGER] = min(max(memory[1], 0.0), 1.0)
         self._arrays = (plan.links, plan.pairs, plan.tasks, *room)
-        moving.run(moving.LOAD, *self._arrays, _NO_POSITIONS)
+        run(layout.LOAD, *self._arrays, _NO_POSITIONS)
 
     def step(self, positions: Floats) -> float:
         """Go a step after new positions (k, 3) of the k position tasks; return the largest of their errors, units."""
-        return float(moving.run(moving.DRAG, *self._arrays, positions))
+        return float(run(layout.DRAG, *self._arrays, positions))
 
     def solve(self, positions: Floats = _NO_POSITIONS) -> float:
         """Solve from the pose the drag began with, for new positions (k, 3) if given; return the largest error."""
-        return float(moving.run(moving.SOLVE, *self._arrays, positions))
+        return float(run(layout.SOLVE, *self._arrays, positions))
 
     def pose(self) -> Pose:
         """Return the pose that the last step or solve arrived at."""
-        return Pose.of(self.angles(), self._room.knobs[moving.ROOT : moving.ROOT + 3])
+        return Pose.of(self.angles(), self._room.knobs[layout.ROOT : layout.ROOT + 3])
 
     def angles(self) -> Floats:
         """Return that pose's committed angles (n, 3) in degrees; the next call overwrites them."""
-        moving.run(moving.COMMIT, *self._arrays, _NO_POSITIONS)
+        run(layout.COMMIT, *self._arrays, _NO_POSITIONS)
         return self._room.angles
 
     def errors(self) -> tuple[float, ...]:
         """Return every task's error: figure units, or degrees."""
-        sizes = self._room.goals[:, moving.ERROR].tolist()
+        sizes = self._room.goals[:, layout.ERROR].tolist()
         turns = self._arrays[2][:, 0]
         return tuple(
-            float(np.degrees(size)) if kind in (moving.DIRECTION, moving.ORIENTATION) else size
+            float(np.degrees(size)) if kind in (layout.DIRECTION, layout.ORIENTATION) else size
             for size, kind in zip(sizes, turns, strict=True)
         )
 
@@ -103,7 +107,9 @@ class Drag:
             error <= limit or task.weight < 1.0
             for error, limit, task in zip(errors, allowed, self._problem.tasks, strict=True)
         )
-        return Solution(pose, errors, met, (float(self._room.knobs[moving.DAMPING]),))
+        return Solution(pose, errors, met, tuple(self._room.knobs[[layout.DAMPING, layout.EAGER]].tolist()))
 
     def _allowed(self, task: object) -> float:
-        return self._problem.tolerance if hasattr(task, "position") or hasattr(task, "offset") else self._problem.degrees
+        return (
+            self._problem.tolerance if hasattr(task, "position") or hasattr(task, "offset") else self._problem.degrees
+        )

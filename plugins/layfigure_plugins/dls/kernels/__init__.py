@@ -1,12 +1,13 @@
 """The compiled half of the solver, and the only place where it meets numba.
 
-The one module beside this is the one entry point with all it calls: numba notices a change in the file of the cached
-function only.
+``moving`` holds the one entry point; the other modules hold what it calls.
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from layfigure.compiled import prepare
@@ -27,6 +28,14 @@ def jit(signature: Any = None) -> Callable[[Callable[..., Any]], Callable[..., A
     The rest is never called from Python; leaving out its wrappers and cache files makes a cold start shorter.
     """
     return numba.njit(**_INNER) if signature is None else numba.njit(signature, **_ENTRY)
+
+
+def digest() -> int:
+    """Return a number below 2^48 that changes with any kernel's source."""
+    found = hashlib.sha256()
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        found.update(path.read_bytes())
+    return int.from_bytes(found.digest()[:6], "big")
 
 
 def array(scalar: Any, dimensions: int, readonly: bool = False) -> Any:
