@@ -19,6 +19,7 @@ from layfigure_plugins.dls.kernels.layout import (
     AXES,
     DIRECTION,
     FLAGS,
+    MOVE,
     ORIENTATION,
     ORIGIN,
     SCALE,
@@ -29,93 +30,100 @@ from layfigure_plugins.dls.kernels.layout import (
 
 
 @jit()
-def _write_axes(link: Any, body: Any) -> int:
-    """Write a joint's axes in canonical space, swing first, and return how many there are."""
-    j, dofs, n = link[0], link[1], 0
+def write_axes(links: Any, body: Any, i: int) -> None:
+    """Write a joint's axes in canonical space, swing first, then twist."""
+    j, dofs, n = links[i, 0], links[i, 1], AXES
     x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
-    axes = body[j, AXES : AXES + 9]
     if dofs & 3 == 3:  # two unit vectors across h and each other; which ones does not matter
         a = -1.0 / (1.0 + w)
-        axes[0], axes[1], axes[2] = 1.0 + x * x * a, -x, x * z * a
-        axes[3], axes[4], axes[5] = x * z * a, -z, 1.0 + z * z * a
-        n = 2
+        body[j, n], body[j, n + 1], body[j, n + 2] = 1.0 + x * x * a, -x, x * z * a
+        body[j, n + 3], body[j, n + 4], body[j, n + 5] = x * z * a, -z, 1.0 + z * z * a
+        n += 6
     elif dofs & 3:
-        axes[0], axes[1], axes[2] = 1.0 * (dofs & 3 == 2), 0.0, -1.0 * (dofs & 3 == 1)
-        n = 1
+        body[j, n], body[j, n + 1], body[j, n + 2] = 1.0 * (dofs & 3 == 2), 0.0, -1.0 * (dofs & 3 == 1)
+        n += 3
     if dofs & 4:
-        axes[3 * n], axes[3 * n + 1], axes[3 * n + 2] = 2.0 * w * x, 2.0 * w * w - 1.0, 2.0 * w * z
-        n += 1
-    return n
+        body[j, n], body[j, n + 1], body[j, n + 2] = 2.0 * w * x, 2.0 * w * w - 1.0, 2.0 * w * z
 
 
 @jit()
-def write_jacobian(link: Any, pairs: Any, tasks: Any, goals: Any, body: Any, jacobian: Any) -> None:
-    """Write a joint's columns: row q of ``jacobian`` is axis q, three places for each of the joint's pairs."""
-    j, w = link[0], WORLD
-    for q in range(_write_axes(link, body)):
-        a, b, c = body[j, AXES + 3 * q], body[j, AXES + 3 * q + 1], body[j, AXES + 3 * q + 2]
-        ax = body[j, w] * a + body[j, w + 1] * b + body[j, w + 2] * c
-        ay = body[j, w + 3] * a + body[j, w + 4] * b + body[j, w + 5] * c
-        az = body[j, w + 6] * a + body[j, w + 7] * b + body[j, w + 8] * c
-        column = jacobian[link[4] + q]
-        for k in range(link[2], link[3]):
-            t, ends, at = pairs[k, 0], pairs[k, 1], 3 * (k - link[2])
-            kind, goal, u = tasks[t, 0], goals[t], ACROSS
-            scale = goal[SCALE]
-            if kind == DIRECTION:
-                column[at] = scale * (ax * goal[u] + ay * goal[u + 1] + az * goal[u + 2])
-                column[at + 1] = scale * (ax * goal[u + 3] + ay * goal[u + 4] + az * goal[u + 5])
-                continue
-            if kind == ORIENTATION:
-                column[at], column[at + 1], column[at + 2] = scale * ax, scale * ay, scale * az
-                continue
-            x, y, z = 0.0, 0.0, 0.0
-            if ends & 1:
-                i = tasks[t, 1]
-                x, y, z = body[i, TIP] - body[j, ORIGIN], body[i, TIP + 1] - body[j, ORIGIN + 1], body[i, TIP + 2]
-                z -= body[j, ORIGIN + 2]
-            if ends & 2:
-                i = tasks[t, 2]
-                x, y = x - body[i, TIP] + body[j, ORIGIN], y - body[i, TIP + 1] + body[j, ORIGIN + 1]
-                z += body[j, ORIGIN + 2] - body[i, TIP + 2]
-            column[at], column[at + 1] = scale * (ay * z - az * y), scale * (az * x - ax * z)
-            column[at + 2] = scale * (ax * y - ay * x)
+def write_jacobian(work: Any) -> None:
+    """Write every joint's columns: a row for each axis, three places for each of the joint's pairs."""
+    links, pairs, body = work.links, work.pairs, work.body
+    for i in range(links.shape[0]):
+        write_axes(links, body, i)
+        j, dofs, w = links[i, 0], links[i, 1], WORLD
+        for q in range((dofs & 1) + (dofs >> 1 & 1) + (dofs >> 2 & 1)):
+            a, b, c = body[j, AXES + 3 * q], body[j, AXES + 3 * q + 1], body[j, AXES + 3 * q + 2]
+            x = body[j, w] * a + body[j, w + 1] * b + body[j, w + 2] * c
+            y = body[j, w + 3] * a + body[j, w + 4] * b + body[j, w + 5] * c
+            z = body[j, w + 6] * a + body[j, w + 7] * b + body[j, w + 8] * c
+            for k in range(links[i, 2], links[i, 3]):
+                _write_entry(
+                    work.tasks,
+                    work.goals,
+                    body,
+                    work.jacobian,
+                    (j, pairs[k, 0], pairs[k, 1]),
+                    (x, y, z),
+                    (links[i, 4] + q, 3 * (k - links[i, 2])),
+                )
+
+
+@jit()
+def _write_entry(tasks: Any, goals: Any, body: Any, jacobian: Any, pair: Any, axis: Any, place: Any) -> None:
+    """Write what a unit of angular velocity ``axis`` of limb j does to a task; ``pair`` is j, the task, its ends."""
+    j, t, ends = pair
+    x, y, z = axis
+    column, at = place
+    kind, scale, u = tasks[t, 0], goals[t, SCALE], ACROSS
+    if kind == DIRECTION:
+        jacobian[column, at] = scale * (x * goals[t, u] + y * goals[t, u + 1] + z * goals[t, u + 2])
+        jacobian[column, at + 1] = scale * (x * goals[t, u + 3] + y * goals[t, u + 4] + z * goals[t, u + 5])
+        return
+    if kind == ORIENTATION:
+        jacobian[column, at], jacobian[column, at + 1], jacobian[column, at + 2] = scale * x, scale * y, scale * z
+        return
+    a, b, c = 0.0, 0.0, 0.0
+    if ends & 1:
+        tip = tasks[t, 1]
+        a, b = body[tip, TIP] - body[j, ORIGIN], body[tip, TIP + 1] - body[j, ORIGIN + 1]
+        c = body[tip, TIP + 2] - body[j, ORIGIN + 2]
+    if ends & 2:
+        tip = tasks[t, 2]
+        a, b = a - body[tip, TIP] + body[j, ORIGIN], b - body[tip, TIP + 1] + body[j, ORIGIN + 1]
+        c += body[j, ORIGIN + 2] - body[tip, TIP + 2]
+    jacobian[column, at], jacobian[column, at + 1] = scale * (y * c - z * b), scale * (z * a - x * c)
+    jacobian[column, at + 2] = scale * (x * b - y * a)
 
 
 @jit()
 def free_swing(body: Any, j: int) -> Any:
-    """Return the one direction (of its two axes) in which a joint's swing is free; (2, 2): all, (0, 0): none."""
+    """Return the one direction (of its two axes) in which a held swing is free; (0, 0) if none is."""
     flags = int(body[j, FLAGS]) & 7
-    if flags == 0:
-        return 2.0, 2.0
     x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
     if flags == 1:  # flexion stays
-        size = math.sqrt(w * w + z * z)
-        a, b, c = w * w + z * z, -x * w, -x * z
+        size, a, b, c = math.sqrt(w * w + z * z), w * w + z * z, -x * w, -x * z
     elif flags == 2:  # pivot stays
-        size = math.sqrt(w * w + x * x)
-        a, b, c = z * x, z * w, -(x * x + w * w)
+        size, a, b, c = math.sqrt(w * w + x * x), z * x, z * w, -(x * x + w * w)
     else:  # along the edge of the domain
         size, a, b, c = 1.0 * (flags == 4), 0.0, 1.0, 0.0
     if size < 1e-9:
         return 0.0, 0.0
-    axes = body[j, AXES : AXES + 6]
-    along = (a * axes[0] + b * axes[1] + c * axes[2]) / size
-    across = (a * axes[3] + b * axes[4] + c * axes[5]) / size
+    along = (a * body[j, AXES] + b * body[j, AXES + 1] + c * body[j, AXES + 2]) / size
+    across = (a * body[j, AXES + 3] + b * body[j, AXES + 4] + c * body[j, AXES + 5]) / size
     return along, across
 
 
 @jit()
-def confine(link: Any, body: Any, moves: Any) -> None:
-    """Take out of a joint's moves (3,) what its flags forbid."""
-    j, dofs = link[0], link[1]
-    n = (dofs & 1) + (dofs >> 1 & 1)
-    flags = int(body[j, FLAGS])
+def confine(body: Any, j: int, dofs: int) -> None:
+    """Take out of a joint's moves what its flags forbid."""
+    n, flags = (dofs & 1) + (dofs >> 1 & 1), int(body[j, FLAGS])
     if n == 2 and flags & 7:
         a, b = free_swing(body, j)
-        along = a * moves[0] + b * moves[1]
-        moves[0], moves[1] = a * along, b * along
+        along = a * body[j, MOVE] + b * body[j, MOVE + 1]
+        body[j, MOVE], body[j, MOVE + 1] = a * along, b * along
     if n == 1 and flags & 7:
-        moves[0] = 0.0
-    if dofs & 4 and flags & 8:
-        moves[n] = 0.0
+        body[j, MOVE] = 0.0
+    if flags & 8:
+        body[j, MOVE + n] = 0.0

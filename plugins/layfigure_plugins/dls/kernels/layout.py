@@ -28,11 +28,15 @@ SCALE, ERROR, TOLERANCE, ALONG, ACROSS, GOAL_COLUMNS = 9, 10, 11, 12, 15, 21
 # Places in ``knobs``: the root's translation now, kept, at the start, at the best, its move; what steers; what is told.
 ROOT, ROOT_KEPT, ROOT_START, ROOT_BEST, ROOT_MOVE = 0, 3, 6, 9, 12
 ROOT_STIFF, DAMPING, PULL, STRIDE, REACH, REST, MUSTS, ROWS, SOFT, TOWARDS = range(15, 25)
-WORST, MET, SPENT, FLOOR, EAGER, EXPECTED, BUILT, KNOBS = range(25, 33)
+WORST, MET, SPENT, FLOOR, EAGER, EXPECTED, BUILT = range(25, 32)
+STAGE, GOING, LEFT, SLOW, TRIES, PATIENCE, SEED, AGREED, BEST_LEFT, BEST_MET, KNOBS = range(32, 43)
+
+# Stages of the work: a step of a drag; a solve's ways down, its last one, following soft tasks, and mending after that.
+DRAGGING, SEARCHING, POLISHING, YIELDING, MENDING = range(5)
 
 # The damping lambda^2 is a share of the squared error, remembered, and a floor in squares of REACH.
 FIRST_DAMPING, SOLVE_FLOOR, DRAG_FLOOR, MOST_DAMPING = 0.03, 8e-9, 2.3e-4, 8.0
-DESCENT, SEEDS, AGREED = 40, 24, 4  # iterations down, other starts, those that must agree before it is given up
+DESCENT, SEEDS, ENOUGH = 40, 24, 4  # iterations down, other starts, those that must agree before it is given up
 DRAG_STRIDE = 0.18  # radians that a joint turns in a step of a drag at most
 DRAG_PULL = 0.05  # share of the way to mid-range that a step of a drag pulls; 3 % sticks, 10 % snaps
 NEAR = 100.0  # in REST: errors above get the whole pull and a second iteration

@@ -12,7 +12,7 @@ import numpy as np
 from numba.types import float64, int64
 
 from layfigure_plugins.dls.kernels import array, digest, jit
-from layfigure_plugins.dls.kernels.descending import drag, solve
+from layfigure_plugins.dls.kernels.descending import begin_drag, begin_solve, judge, turns_elsewhere
 from layfigure_plugins.dls.kernels.layout import (
     BUILT,
     COMMIT,
@@ -20,11 +20,11 @@ from layfigure_plugins.dls.kernels.layout import (
     DRAG,
     FARTHEST,
     FLAGS,
+    GOING,
     LOAD,
     POSITION,
     ROOT,
     ROOT_START,
-    SOLVE,
     START,
     STATE,
     STRAIGHT,
@@ -34,6 +34,7 @@ from layfigure_plugins.dls.kernels.layout import (
     Work,
 )
 from layfigure_plugins.dls.kernels.placing import measure, place
+from layfigure_plugins.dls.kernels.stepping import iterate
 
 
 @jit()
@@ -122,13 +123,19 @@ def _entry(sources: int) -> Any:
         work = Work(links, pairs, tasks, goals, body, jacobian, normal, knobs)
         if mode == LOAD:
             _load(body, knobs, angles)
-        elif mode == DRAG:
-            drag(work)
-        elif mode == SOLVE:
-            solve(work)
-        else:
+        elif mode == COMMIT:
             _commit(links, body, angles)
-        if mode == LOAD or mode == COMMIT:
+        else:
+            if mode == DRAG:
+                begin_drag(work)
+            else:
+                begin_solve(work)
+            ahead = True
+            while ahead:
+                while knobs[GOING] > 0.0:
+                    judge(work, iterate(work))
+                ahead = turns_elsewhere(work)
+        if mode in (LOAD, COMMIT):
             measure(tasks, goals, body, normal, knobs)
         return knobs[WORST]
 

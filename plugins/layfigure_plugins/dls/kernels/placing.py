@@ -154,6 +154,6 @@ def measure(tasks: Any, goals: Any, body: Any, normal: Any, knobs: Any) -> float
         elif rows == 3:
             wants[row], wants[row + 1], wants[row + 2] = scale * x, scale * y, scale * z
         if tasks[t, 5]:
-            total += (scale * size) ** 2
+            total += scale * size * scale * size
     knobs[WORST], knobs[MET] = worst, met
     return total
