@@ -78,7 +78,9 @@ def plan_of(figure: Figure, problem: Problem, ancestors: tuple[frozenset[int], .
     reach = _Reach(turning, ancestors, problem.root_moves)
     tasks, musts, rows = _task_rows(problem, reach)
     order = sorted((k for k in range(len(tasks)) if tasks[k, 4]), key=lambda k: int(tasks[k, 3]))
-    links, pairs, column = [], [], 0
+    links: list[tuple[int, ...]] = []
+    pairs: list[tuple[int, ...]] = []
+    column = 0
     touched = {limb for task in problem.tasks for limb in _limbs(task)}
     live = {limb for limb in range(len(figure.limbs)) if problem.root_moves or ancestors[limb] & turning}
     needed = {limb for end in touched for limb in ancestors[end]} & live
@@ -113,7 +115,7 @@ def _task_rows(problem: Problem, reach: _Reach) -> tuple[Integers, int, int]:
             if hard[k] is first:
                 kind = _KINDS[type(task)]
                 rows = _ROWS[kind] if moved[k] else 0
-                other = task.other if isinstance(task, OffsetTask) else 0
+                other = task.other if isinstance(task, OffsetTask) else -1
                 table[k] = kind, task.limb, other, row, rows, first and moved[k]
                 row += rows
         musts = row if first else musts

@@ -92,13 +92,13 @@ def room_of(table: FigureTable, plan: Plan, pose: Pose, problem: Problem) -> Roo
     knobs[m.REST] = max(1e-3 * problem.tolerance, 1e-6 * table.height)
     knobs[m.MUSTS], knobs[m.ROWS] = plan.musts, plan.rows
     knobs[m.TOWARDS] = m.TARGET
-    knobs[m.EAGER] = 1.0
+    knobs[m.EAGER] = knobs[m.FRESH] = 1.0
     jacobian = np.zeros((plan.columns + 1, 3 * max(len(problem.tasks), 1)))
     normal = np.zeros((plan.rows + 2, plan.rows))
     return Room(goals, body, jacobian, normal, knobs, pose.angles.copy())
 
 
-ROOT_SHARE = 0.2
+ROOT_SHARE = 0.5
 """The share of the figure's height that the root is carried as easily as a joint turns by a radian."""
 
 LEVER = 0.2

@@ -15,6 +15,8 @@ from layfigure_plugins.dls.room import FigureTable, room_of
 
 Floats = NDArray[np.float64]
 _KEPT_PLANS = 32
+_REMEMBERED = [layout.DAMPING, layout.EAGER, layout.FRESH, layout.LEFT]
+_BOUNDS = (0.1, 0.0, 0.0, 0.0), (layout.MOST_DAMPING, 1.0, 1.0, np.inf)
 _NO_POSITIONS = np.zeros((0, 3))
 
 
@@ -33,7 +35,10 @@ class DampedLeastSquares:
         return drag.solution()
 
     def step(self, pose: Pose, problem: Problem, memory: tuple[float, ...] = ()) -> Solution:
-        """Return the pose after one step of a drag; see the contract. ``memory`` is the damping and how strong the pull is."""
+        """Return the pose after one step of a drag; see the contract.
+
+        ``memory`` is the damping, how strong the pull is, how fresh the goals are, and the error left.
+        """
         drag = self.follow(pose, problem, memory)
         before = drag.errors()
         drag.step(_NO_POSITIONS)
@@ -66,9 +71,8 @@ class Drag:
         self._pose = pose
         self._problem = problem
         self._room = room = room_of(table, plan, pose, problem)
-        if len(memory) == 2 and np.isfinite(memory).all():
-            room.knobs[layout.DAMPING] = min(max(memory[0], 0.1), layout.MOST_DAMPING)
-            room.knobs[layout.EAGER] = min(max(memory[1], 0.0), 1.0)
+        if len(memory) == len(_REMEMBERED) and np.isfinite(memory).all():
+            room.knobs[_REMEMBERED] = np.clip(memory, *_BOUNDS)
         self._arrays = (plan.links, plan.pairs, plan.tasks, *room)
         run(layout.LOAD, *self._arrays, _NO_POSITIONS)
 
@@ -107,7 +111,7 @@ class Drag:
             error <= limit or task.weight < 1.0
             for error, limit, task in zip(errors, allowed, self._problem.tasks, strict=True)
         )
-        return Solution(pose, errors, met, tuple(self._room.knobs[[layout.DAMPING, layout.EAGER]].tolist()))
+        return Solution(pose, errors, met, tuple(self._room.knobs[_REMEMBERED].tolist()))
 
     def _allowed(self, task: object) -> float:
         return (

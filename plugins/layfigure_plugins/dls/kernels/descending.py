@@ -33,6 +33,7 @@ from layfigure_plugins.dls.kernels.layout import (
     FIRST_DAMPING,
     FLAGS,
     FLOOR,
+    FRESH,
     GOING,
     KEPT,
     LEFT,
@@ -61,6 +62,7 @@ from layfigure_plugins.dls.kernels.layout import (
     STAGE,
     START,
     STATE,
+    STRAIGHT,
     STRIDE,
     TOLERANCE,
     TRIES,
@@ -98,7 +100,10 @@ def begin_drag(work: Any) -> None:
     knobs = work.knobs
     knobs[STAGE], knobs[SOFT], knobs[STRIDE], knobs[TRIES] = DRAGGING, 1.0, DRAG_STRIDE, 0.0
     knobs[FLOOR] = DRAG_FLOOR * knobs[REACH] * knobs[REACH]
-    knobs[LEFT] = measure(work.tasks, work.goals, work.body, work.normal, knobs)
+    left = measure(work.tasks, work.goals, work.body, work.normal, knobs)
+    still = abs(left - knobs[LEFT]) <= 1e-3 * left
+    knobs[FRESH] = 0.85 * knobs[FRESH] if still else 1.0  # while no goal moves, the pull dies out
+    knobs[LEFT] = left
     _prepare_drag(work)
 
 
@@ -107,7 +112,7 @@ def _prepare_drag(work: Any) -> None:
     knobs = work.knobs
     size = math.sqrt(knobs[LEFT])
     knobs[GOING] = 1.0 * (size > knobs[REST] or knobs[ROWS] > knobs[MUSTS])
-    knobs[PULL] = DRAG_PULL * knobs[EAGER] * min(1.0, size / (NEAR * knobs[REST]))
+    knobs[PULL] = DRAG_PULL * knobs[EAGER] * knobs[FRESH] * min(1.0, size / (NEAR * knobs[REST]))
     _copy(work.links, work.body, knobs, (STATE, ROOT), (KEPT, ROOT_KEPT))
 
 
@@ -279,7 +284,8 @@ def _reseed(links: Any, pairs: Any, tasks: Any, goals: Any, body: Any, seed: int
             count += 1
             if not dofs >> d & 1:
                 continue
-            low, high = body[j, DEGREES + 2 * d] * UNIT, body[j, DEGREES + 2 * d + 1] * UNIT
+            low = max(body[j, DEGREES + 2 * d], -STRAIGHT) * UNIT  # a free twist has no limits
+            high = min(body[j, DEGREES + 2 * d + 1], STRAIGHT) * UNIT
             at = body[j, STATE + 3] if d == 2 else 2.0 * math.asin(min(max(body[j, STATE + 2 * d], -1.0), 1.0))
             if seed < 2:
                 bend = 0.6 * (seed + 1)

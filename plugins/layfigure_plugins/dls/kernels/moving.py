@@ -21,10 +21,14 @@ from layfigure_plugins.dls.kernels.layout import (
     FARTHEST,
     FLAGS,
     GOING,
+    HORIZON,
     LOAD,
+    OFFSET,
     POSITION,
+    REACH,
     ROOT,
     ROOT_START,
+    ROOT_STIFF,
     START,
     STATE,
     STRAIGHT,
@@ -33,7 +37,7 @@ from layfigure_plugins.dls.kernels.layout import (
     WORST,
     Work,
 )
-from layfigure_plugins.dls.kernels.placing import measure, place
+from layfigure_plugins.dls.kernels.placing import bring_near, measure, place
 from layfigure_plugins.dls.kernels.stepping import iterate
 
 
@@ -86,6 +90,25 @@ def _commit(links: Any, body: Any, angles: Any) -> None:
             angles[j, 2] = min(max(np.rint(body[j, STATE + 3] / UNIT), limits[4]), limits[5]) / 1e6
 
 
+@jit()
+def _take_goals(tasks: Any, goals: Any, knobs: Any, positions: Any) -> None:
+    """Take new positions (k, 3) of the position tasks, if there are any, and bring near what is far away.
+
+    A root that may be carried goes all the way.
+    """
+    k, still = 0, knobs[ROOT_STIFF] == 0.0
+    for t in range(tasks.shape[0]):
+        if tasks[t, 0] == POSITION and positions.shape[0]:
+            for r in range(3):
+                goals[t, r] = min(max(positions[k, r], -FARTHEST), FARTHEST)
+            k += 1
+        horizon = HORIZON * knobs[REACH] if still else 4.0 * FARTHEST
+        if tasks[t, 0] == POSITION:
+            bring_near(goals[t], (knobs[ROOT], knobs[ROOT + 1], knobs[ROOT + 2]), horizon)
+        elif tasks[t, 0] == OFFSET:
+            bring_near(goals[t], (0.0, 0.0, 0.0), horizon)
+
+
 def _entry(sources: int) -> Any:
     """Return the kernel that Python calls.
 
@@ -114,12 +137,8 @@ def _entry(sources: int) -> Any:
         angles: Any,
         positions: Any,
     ) -> float:
-        k, knobs[BUILT] = 0, sources
-        for t in range(tasks.shape[0] if positions.shape[0] else 0):
-            if tasks[t, 0] == POSITION:
-                for r in range(3):
-                    goals[t, r] = min(max(positions[k, r], -FARTHEST), FARTHEST)
-                k += 1
+        knobs[BUILT] = sources
+        _take_goals(tasks, goals, knobs, positions)
         work = Work(links, pairs, tasks, goals, body, jacobian, normal, knobs)
         if mode == LOAD:
             _load(body, knobs, angles)
@@ -145,6 +164,7 @@ def _entry(sources: int) -> Any:
 run = _entry(digest())
 """``run(mode, links, pairs, tasks, goals, body, jacobian, normal, knobs, angles, positions)``.
 
-Loads ``angles`` (n, 3) in degrees, goes a step of a drag, solves from the loaded pose, or commits to ``angles``; returns
-the worst error of the position tasks. ``positions`` (k, 3) are their new goals in order; none (0, 3) keeps the old ones.
+Loads ``angles`` (n, 3) in degrees, goes a step of a drag, solves from the loaded pose, or commits to ``angles``;
+returns the worst error of the position tasks. ``positions`` (k, 3) are their new goals in order; none (0, 3) keeps the
+old ones.
 """

@@ -17,10 +17,11 @@ from layfigure_plugins.dls.kernels.layout import (
     DIRECTION,
     END,
     ERROR,
+    FAR,
     FRAME,
     JOINT,
     MET,
-    OFFSET,
+    NEARBY,
     ORIENTATION,
     ORIGIN,
     PARENT,
@@ -123,6 +124,29 @@ def _orientation_wish(goal: Any, body: Any, j: int) -> Any:
 
 
 @jit()
+def bring_near(goal: Any, center: Any, farthest: float) -> None:
+    """Write the point that stands for a goal, on the way from ``center`` where it is ``farthest`` or farther.
+
+    Seen from a limb it lies where the goal lies, but its distance still tells one pose from another.
+    """
+    x, y, z = goal[0] - center[0], goal[1] - center[1], goal[2] - center[2]
+    size = math.sqrt(x * x + y * y + z * z)
+    share = min(1.0, farthest / max(size, 1e-12))
+    goal[FAR] = 1.0 * (share < 1.0)
+    for r in range(3):
+        goal[NEARBY + r] = center[r] + share * (goal[r] - center[r]) if share < 1.0 else goal[r]
+
+
+@jit()
+def _place_wish(goal: Any, body: Any, j: int, other: int, at: int) -> Any:
+    """Return what is between the tip of limb j, less that of another (-1: none), and the goal in columns ``at``."""
+    x, y, z = goal[at] - body[j, TIP], goal[at + 1] - body[j, TIP + 1], goal[at + 2] - body[j, TIP + 2]
+    if other >= 0:
+        x, y, z = x + body[other, TIP], y + body[other, TIP + 1], z + body[other, TIP + 2]
+    return x, y, z
+
+
+@jit()
 def measure(tasks: Any, goals: Any, body: Any, normal: Any, knobs: Any) -> float:
     """Write what every task still wants, and return the sum of squares of the musts in units^2."""
     wants = normal[normal.shape[1]]
@@ -134,15 +158,15 @@ def measure(tasks: Any, goals: Any, body: Any, normal: Any, knobs: Any) -> float
         elif kind == ORIENTATION:
             x, y, z = _orientation_wish(goal, body, j)
         else:
-            x, y, z = goal[0] - body[j, TIP], goal[1] - body[j, TIP + 1], goal[2] - body[j, TIP + 2]
-            if kind == OFFSET:
-                other = tasks[t, 2]
-                x, y, z = x + body[other, TIP], y + body[other, TIP + 1], z + body[other, TIP + 2]
+            x, y, z = _place_wish(goal, body, j, tasks[t, 2], NEARBY)
         size = math.sqrt(x * x + y * y + z * z)
         goal[ERROR] = size
+        if goal[FAR] > 0.0:
+            a, b, c = _place_wish(goal, body, j, tasks[t, 2], 0)
+            goal[ERROR] = math.sqrt(a * a + b * b + c * c)
         if kind == POSITION:
-            worst = max(worst, size)
-        if tasks[t, 5] and size > goal[TOLERANCE]:
+            worst = max(worst, goal[ERROR])
+        if tasks[t, 5] and goal[ERROR] > goal[TOLERANCE]:
             met = 0.0
         scale = goal[SCALE]
         if size > knobs[REACH]:  # angles never are
@@ -154,6 +178,6 @@ def measure(tasks: Any, goals: Any, body: Any, normal: Any, knobs: Any) -> float
         elif rows == 3:
             wants[row], wants[row + 1], wants[row + 2] = scale * x, scale * y, scale * z
         if tasks[t, 5]:
-            total += scale * size * scale * size
+            total += goal[SCALE] * size * goal[SCALE] * size
     knobs[WORST], knobs[MET] = worst, met
     return total

@@ -1,9 +1,9 @@
 """One iteration of damped least squares under limits, with what is to be done beside the musts.
 
 Solve (J J' + lambda^2) y = e - J g and move by J' y + g (Nakamura and Hanafusa 1986; lambda that follows the error:
-Sugihara 2011). What g asks for, a pull to mid-range or soft tasks, is thereby done as far as the musts allow. Degrees of
-freedom that rest on a limit and would leave it are taken out and the system is solved again; what still crosses a limit
-is cut off there.
+Sugihara 2011). What g asks for, a pull to mid-range or soft tasks, is thereby done as far as the musts allow. Degrees
+of freedom that rest on a limit and would leave it are taken out and the system is solved again; what still crosses a
+limit is cut off there.
 """
 
 # mypy: disable-error-code="operator,arg-type,type-var,call-overload,no-any-return"
