@@ -175,7 +175,7 @@ def test_a_band_on_the_very_limb_that_must_be_elsewhere_does_not_keep_it_away(ki
 def test_contradictory_musts_end_in_between_and_say_so(kit):
     hand = kit.limb("righthand")
     at = kit.tips(kit.rest)[hand]
-    tasks = tuple(PositionTask(hand, tuple((at + (0.0, 20.0, side)).tolist())) for side in (-40.0, 0.0))
+    tasks = tuple(PositionTask(hand, tuple((at + np.array([0.0, 20.0, side])).tolist())) for side in (-40.0, 0.0))
     solution = kit.solver.solve(kit.rest, Problem(tasks, frozenset(kit.figure.movable)))
     assert not solution.met
     np.testing.assert_allclose(solution.errors, 20.0, atol=0.5)

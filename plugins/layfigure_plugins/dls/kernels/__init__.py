@@ -17,7 +17,8 @@ prepare()  # the cache folder must be chosen before numba is imported
 import numba  # noqa: E402
 
 # No fastmath: what is computed here becomes poses. A division by zero gives what numpy gives, not an exception.
-_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+# Without numba's runtime no array is made here and none is counted: the counting costs more than the mathematics.
+_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
 _ENTRY: dict[str, Any] = {**_OPTIONS, "cache": True}
 _INNER: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-
 from layfigure_plugins.dls.kernels import jit
 from layfigure_plugins.dls.kernels.layout import (
     ACROSS,
@@ -99,28 +97,30 @@ def _direction_wish(goal: Any, body: Any, j: int) -> Any:
 @jit()
 def _orientation_wish(goal: Any, body: Any, j: int) -> Any:
     """Return the rotation vector from limb j's rotation to the goal's; see ``kinematics.rotation_vector``."""
-    m = np.empty((3, 3))
-    for r in range(3):
-        for c in range(3):
-            m[r, c] = 0.0
-            for k in range(3):
-                m[r, c] += goal[3 * r + k] * body[j, TURN + 3 * c + k]
-    x, y, z = (m[2, 1] - m[1, 2]) / 2.0, (m[0, 2] - m[2, 0]) / 2.0, (m[1, 0] - m[0, 1]) / 2.0
-    sine, cosine = math.sqrt(x * x + y * y + z * z), (m[0, 0] + m[1, 1] + m[2, 2] - 1.0) / 2.0
+    t = TURN
+    m00, m01, m02 = _times(goal, body, j, 0, t), _times(goal, body, j, 0, t + 3), _times(goal, body, j, 0, t + 6)
+    m10, m11, m12 = _times(goal, body, j, 3, t), _times(goal, body, j, 3, t + 3), _times(goal, body, j, 3, t + 6)
+    m20, m21, m22 = _times(goal, body, j, 6, t), _times(goal, body, j, 6, t + 3), _times(goal, body, j, 6, t + 6)
+    x, y, z = (m21 - m12) / 2.0, (m02 - m20) / 2.0, (m10 - m01) / 2.0
+    sine, cosine = math.sqrt(x * x + y * y + z * z), (m00 + m11 + m22 - 1.0) / 2.0
     if sine > 1e-7:
         size = math.atan2(sine, cosine) / sine
         return x * size, y * size, z * size
     if cosine > 0.0:
         return x, y, z
-    k = 0
-    if m[1, 1] > m[0, 0]:
-        k = 1
-    if m[2, 2] > m[k, k]:
-        k = 2
-    x, y, z = (m[0, k] + m[k, 0]) / 2.0, (m[1, k] + m[k, 1]) / 2.0, (m[2, k] + m[k, 2]) / 2.0
-    x, y, z = x + 1.0 * (k == 0), y + 1.0 * (k == 1), z + 1.0 * (k == 2)
-    size = math.pi / math.sqrt(x * x + y * y + z * z)
+    if m00 >= m11 and m00 >= m22:  # half a turn: the axis times itself, its longest column
+        x, y, z = m00 + 1.0, (m01 + m10) / 2.0, (m02 + m20) / 2.0
+    elif m11 >= m22:
+        x, y, z = (m01 + m10) / 2.0, m11 + 1.0, (m12 + m21) / 2.0
+    else:
+        x, y, z = (m02 + m20) / 2.0, (m12 + m21) / 2.0, m22 + 1.0
+    size = math.pi / max(math.sqrt(x * x + y * y + z * z), 1e-9)
     return x * size, y * size, z * size
+
+
+@jit()
+def _times(goal: Any, body: Any, j: int, row: int, column: int) -> float:
+    return goal[row] * body[j, column] + goal[row + 1] * body[j, column + 1] + goal[row + 2] * body[j, column + 2]
 
 
 @jit()
