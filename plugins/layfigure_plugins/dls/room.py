@@ -119,11 +119,15 @@ def _write_limits(table: FigureTable, pose: Pose, body: Floats) -> None:
     body[:, m.LIMITS + 4 : m.LIMITS + 6] = np.radians(limits[:, 2] / _UNITS)
 
 
+def turning(task: Task) -> bool:
+    """Return whether a task's error is an angle."""
+    return isinstance(task, DirectionTask | OrientationTask)
+
+
 def _write_goal(table: FigureTable, problem: Problem, task: Task, row: Floats) -> None:
     weight = min(max(task.weight, 0.0), 1.0)
-    turning = isinstance(task, DirectionTask | OrientationTask)
-    row[m.SCALE] = weight * (LEVER * table.height if turning else 1.0)
-    row[m.TOLERANCE] = np.radians(problem.degrees) if turning else problem.tolerance
+    row[m.SCALE] = weight * (LEVER * table.height if turning(task) else 1.0)
+    row[m.TOLERANCE] = np.radians(problem.degrees) if turning(task) else problem.tolerance
     match task:
         case PositionTask():
             row[:3] = np.clip(task.position, -m.FARTHEST, m.FARTHEST)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +13,7 @@ from layfigure.techniques.solving import Problem, Solution
 from layfigure_plugins.dls.kernels import layout
 from layfigure_plugins.dls.kernels.moving import run
 from layfigure_plugins.dls.plan import Plan, ancestors_of, plan_of
-from layfigure_plugins.dls.room import FigureTable, room_of
+from layfigure_plugins.dls.room import FigureTable, room_of, turning
 
 Floats = NDArray[np.float64]
 _KEPT_PLANS = 32
@@ -21,7 +23,11 @@ _NO_POSITIONS = np.zeros((0, 3))
 
 
 class DampedLeastSquares:
-    """Inverse kinematics of one figure by damped least squares; use one solver per thread."""
+    """Inverse kinematics of one figure by damped least squares; use one solver per thread.
+
+    ``solve`` and ``step`` arrange some arrays for each call, which takes longer than the work itself. Who has many goals
+    for one problem keeps what :meth:`follow` returns and calls its ``step`` or ``solve``.
+    """
 
     def __init__(self, figure: Figure) -> None:
         self._table = FigureTable(figure)
@@ -32,7 +38,7 @@ class DampedLeastSquares:
         """Return the pose nearest to meeting every task; see the contract."""
         drag = self.follow(pose, problem)
         drag.solve()
-        return drag.solution()
+        return drag.finish()
 
     def step(self, pose: Pose, problem: Problem, memory: tuple[float, ...] = ()) -> Solution:
         """Return the pose after one step of a drag; see the contract.
@@ -42,12 +48,11 @@ class DampedLeastSquares:
         drag = self.follow(pose, problem, memory)
         before = drag.errors()
         drag.step(_NO_POSITIONS)
-        after = drag.solution()
+        after = drag.finish()
         # what rounding leaves is not worth moving for: a pose at rest keeps its bits
-        if max(before, default=0.0) <= min(problem.tolerance, problem.degrees) and sum(after.errors) > 0.8 * sum(
-            before
-        ):
-            return Solution(pose, before, after.met, after.memory)
+        met = max(before, default=0.0) <= min(problem.tolerance, problem.degrees)
+        if met and sum(after.errors) > 0.8 * sum(before):
+            return Solution(pose, before, met, after.memory)
         return after
 
     def follow(self, pose: Pose, problem: Problem, memory: tuple[float, ...] = ()) -> Drag:
@@ -78,11 +83,11 @@ class Drag:
 
     def step(self, positions: Floats) -> float:
         """Go a step after new positions (k, 3) of the k position tasks; return the largest of their errors, units."""
-        return float(run(layout.DRAG, *self._arrays, positions))
+        return float(run(layout.DRAG, *self._arrays, np.ascontiguousarray(positions, dtype=np.float64)))
 
     def solve(self, positions: Floats = _NO_POSITIONS) -> float:
         """Solve from the pose the drag began with, for new positions (k, 3) if given; return the largest error."""
-        return float(run(layout.SOLVE, *self._arrays, positions))
+        return float(run(layout.SOLVE, *self._arrays, np.ascontiguousarray(positions, dtype=np.float64)))
 
     def pose(self) -> Pose:
         """Return the pose that the last step or solve arrived at."""
@@ -96,24 +101,18 @@ class Drag:
     def errors(self) -> tuple[float, ...]:
         """Return every task's error: figure units, or degrees."""
         sizes = self._room.goals[:, layout.ERROR].tolist()
-        turns = self._arrays[2][:, 0]
-        return tuple(
-            float(np.degrees(size)) if kind in (layout.DIRECTION, layout.ORIENTATION) else size
-            for size, kind in zip(sizes, turns, strict=True)
-        )
+        tasks = self._problem.tasks
+        return tuple(math.degrees(size) if turning(task) else size for size, task in zip(sizes, tasks, strict=True))
 
-    def solution(self) -> Solution:
-        """Return the pose arrived at with what it leaves undone."""
+    def finish(self) -> Solution:
+        """Return the pose arrived at with the errors it has once it is committed. The drag is over then."""
         pose = self.pose()
-        errors = self.errors()
-        allowed = (self._allowed(task) for task in self._problem.tasks)
+        self._room.knobs[layout.ROOT : layout.ROOT + 3] = pose.translation
+        run(layout.LOAD, *self._arrays, _NO_POSITIONS)
+        errors, asked = self.errors(), self._problem
         met = all(
-            error <= limit or task.weight < 1.0
-            for error, limit, task in zip(errors, allowed, self._problem.tasks, strict=True)
+            error <= (asked.degrees if turning(task) else asked.tolerance)
+            for error, task in zip(errors, asked.tasks, strict=True)
+            if task.weight >= 1.0
         )
         return Solution(pose, errors, met, tuple(self._room.knobs[_REMEMBERED].tolist()))
-
-    def _allowed(self, task: object) -> float:
-        return (
-            self._problem.tolerance if hasattr(task, "position") or hasattr(task, "offset") else self._problem.degrees
-        )

@@ -98,7 +98,7 @@ def _take_goals(tasks: Any, goals: Any, knobs: Any, positions: Any) -> None:
     """
     k, still = 0, knobs[ROOT_STIFF] == 0.0
     for t in range(tasks.shape[0]):
-        if tasks[t, 0] == POSITION and positions.shape[0]:
+        if tasks[t, 0] == POSITION and k < positions.shape[0]:
             for r in range(3):
                 goals[t, r] = min(max(positions[k, r], -FARTHEST), FARTHEST)
             k += 1

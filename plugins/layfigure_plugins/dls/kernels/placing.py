@@ -67,6 +67,7 @@ def place(body: Any, knobs: Any, j: int) -> None:
 
 @jit()
 def place_links(links: Any, body: Any, knobs: Any) -> None:
+    """Place all limbs that may have moved, parents first."""
     for i in range(links.shape[0]):
         place(body, knobs, links[i, 0])
 
