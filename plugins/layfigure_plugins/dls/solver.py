@@ -25,8 +25,8 @@ _NO_POSITIONS = np.zeros((0, 3))
 class DampedLeastSquares:
     """Inverse kinematics of one figure by damped least squares; use one solver per thread.
 
-    ``solve`` and ``step`` arrange some arrays for each call, which takes longer than the work itself. Who has many goals
-    for one problem keeps what :meth:`follow` returns and calls its ``step`` or ``solve``.
+    ``solve`` and ``step`` arrange some arrays for each call, which takes longer than the work itself. Who has many
+    goals for one problem keeps what :meth:`follow` returns and calls its ``step`` or ``solve``.
     """
 
     def __init__(self, figure: Figure) -> None:
