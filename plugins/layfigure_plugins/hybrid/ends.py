@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,9 +17,7 @@ def leaves(figure: Figure) -> tuple[int, ...]:
     """Return the limbs that end something: below them no limb has a length, and a joint above lets them move."""
     lengthy = {limb.index for limb in figure.limbs[1:] if limb.length}
     return tuple(
-        limb
-        for limb in sorted(lengthy)
-        if not (figure.subtree(limb) - {limb}) & lengthy and chain_of(figure, limb, 0)
+        limb for limb in sorted(lengthy) if not (figure.subtree(limb) - {limb}) & lengthy and chain_of(figure, limb, 0)
     )
 
 
@@ -27,9 +26,7 @@ def placed(locks: tuple[Lock, ...]) -> frozenset[int]:
     return frozenset(lock.limb for lock in locks if isinstance(lock, Pin | Hold))
 
 
-def effectors(
-    figure: Figure, chosen: frozenset[int], locks: tuple[Lock, ...], free: frozenset[int]
-) -> tuple[int, ...]:
+def effectors(figure: Figure, chosen: frozenset[int], locks: tuple[Lock, ...], free: frozenset[int]) -> tuple[int, ...]:
     """Return the ends that get goals: those chosen, or all leaves, that are not locked in place and can move."""
     wanted = sorted(chosen) if chosen else leaves(figure)
     held = placed(locks)
@@ -59,11 +56,34 @@ def _leaves_below(figure: Figure) -> tuple[frozenset[int], ...]:
     return tuple(figure.subtree(limb.index) & ends for limb in figure.limbs)
 
 
+class Stretch(NamedTuple):
+    """A stretch of an end's chain that moves the same ``ends`` all along, and how long it is, in figure units."""
+
+    ends: tuple[int, ...]
+    length: float
+
+
+def stretches(figure: Figure, limb: int, ends: tuple[int, ...]) -> tuple[Stretch, ...]:
+    """Return the stretches of the chain of ``limb``, the outermost first, split where chains of ``ends`` meet.
+
+    A hand's chain has the arm, which moves the hand alone, and the spine, which moves the other hand and the head too.
+    """
+    found: list[Stretch] = []
+    step, above = float(np.linalg.norm(figure.limbs[limb].end)), limb
+    pending = 0.0
+    while above > 0:
+        pending += step
+        if figure.limbs[above].movable:
+            moved = tuple(end for end in ends if end in figure.subtree(above))
+            if found and found[-1].ends == moved:
+                found[-1] = Stretch(moved, found[-1].length + pending)
+            else:
+                found.append(Stretch(moved, pending))
+            pending = 0.0
+        step, above = float(np.linalg.norm(figure.limbs[above].position)), figure.limbs[above].parent
+    return tuple(found)
+
+
 def reach(figure: Figure, limb: int) -> float:
     """Return how far the end of a limb can be from the begin of its chain, in figure units, all joints stretched."""
-    total, above = float(np.linalg.norm(figure.limbs[limb].end)), limb
-    top = min(chain_of(figure, limb, 0), default=limb)
-    while above > top:
-        total += float(np.linalg.norm(figure.limbs[above].position))
-        above = figure.limbs[above].parent
-    return total
+    return sum(stretch.length for stretch in stretches(figure, limb, (limb,)))

@@ -198,18 +198,21 @@ class Hybrid:
                 return _turned(state, 1 if name == "next" else -1)
             case "first", _:
                 return replace(state, page=0)
+            case "effector", None | str():
+                return self._choosing(state, value)
+            case "goto", str():
+                return self._go_to(state, value)
+            case _:
+                return self._set(state, name, value)
+
+    def _set(self, state: HybridState, name: str, value: object) -> HybridState:
+        match name, value:
             case "intensity", _:
                 return replace(state, intensity=_intensity(value))
             case "aim", bool():
                 return replace(state, aim=value)
             case "root", bool():
                 return self._carrying(state, value)
-            case "effector", None:
-                return replace(state, chosen=frozenset())
-            case "effector", str():
-                return self._choosing(state, value)
-            case "goto", str():
-                return self._go_to(state, value)
             case _:
                 raise ImpossibleError(f'the hybrid technique has no control "{name}" that can be {value!r}'[:160])
 
@@ -218,7 +221,10 @@ class Hybrid:
             raise ImpossibleError(f"the joint of the {self.figure.names[0]} is locked; unlock it first")
         return replace(state, root=on)
 
-    def _choosing(self, state: HybridState, name: str) -> HybridState:
+    def _choosing(self, state: HybridState, name: str | None) -> HybridState:
+        """Choose an end, or no longer; without a name, all ends move again."""
+        if name is None:
+            return replace(state, chosen=frozenset())
         try:
             limb = self.figure.index(name)
         except LayfigureError as error:

@@ -85,7 +85,7 @@ class Pages:
         kept = self._kept(generation.base, generation, (generation.free,))
         start = kept.pose
         if not kept.met:
-            return Choice((), sentence="the locks cannot be kept from this pose; release one, or move the figure nearer")
+            return Choice((), sentence="the locks cannot be kept from this pose; release one")
         proposals = Proposals.of(self._figure, generation, start)
         if generation.intensity == 0:
             return Choice((start,) * PAGE_SIZE)

@@ -9,7 +9,7 @@ from layfigure.poses.pose import Pose
 
 PAGES = 3
 PAGE_SIZE = 9
-FIRST_INTENSITY = 40.0
+FIRST_INTENSITY = 60.0
 
 
 @dataclass(frozen=True)
