@@ -10,12 +10,13 @@ import pytest
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import closeness
+from layfigure.kinematics.forward import closeness, place_pose
 from layfigure.kinematics.measures import body_height
+from layfigure.kinematics.rotation_vector import rotation_vector
 from layfigure.poses.locks import Band, Hold, JointLock, Lock, Pin, broken, lock_at
 from layfigure.poses.pose import Pose
 from layfigure.session.bench import FigureBench
-from layfigure.techniques.contract import Control, Kept, Setting
+from layfigure.techniques.contract import Control, Kept, LimbPick, Setting
 from layfigure.techniques.solving import Problem, Solution, SolverObject
 from layfigure_plugins.hybrid.hybrid import Hybrid
 from layfigure_plugins.hybrid.page import MOST_TRIES
@@ -217,3 +218,48 @@ def test_a_spider_keeps_its_feet_on_the_ground(hybrid_on: object) -> None:
     offer = spider.ask(replace(state))
     assert len(offer.candidates) == 9
     assert not any(broken(figure, pose, locks) for pose in offer.candidates)
+
+
+def test_pinned_feet_stay_nearly_flat_and_the_body_nearly_upright(
+    hybrid: Hybrid, humanoid: Figure, opening: HybridState
+) -> None:
+    state = hybrid.tell(hybrid.tell(opening, Control("intensity", 40)), Control("mutate"))
+    standing = place_pose(humanoid, opening.seed).limb_to_world
+    for limb in (0, *humanoid.indices(["rightfoot", "leftfoot"])):
+        now = [place_pose(humanoid, pose).limb_to_world[limb] for pose in hybrid.ask(state).candidates]
+        turned = [np.linalg.norm(rotation_vector(standing[limb].T @ each)) for each in now]
+        assert np.mean(turned) < 15  # degrees; 19 to 27 without care
+
+
+def test_with_aim_ends_are_turned_too(hybrid: Hybrid, humanoid: Figure, opening: HybridState) -> None:
+    aimed = hybrid.tell(hybrid.tell(opening, Control("aim", value=True)), Control("mutate"))
+    hand = humanoid.index("lefthand")
+
+    def turns(state: HybridState) -> float:
+        return float(np.mean([np.abs(pose.angles[hand]).sum() for pose in hybrid.ask(state).candidates]))
+
+    assert turns(aimed) > 1.2 * turns(opening)
+
+
+def test_a_later_page_shows_nothing_that_an_earlier_one_showed(
+    hybrid: Hybrid, humanoid: Figure, standing: Pose
+) -> None:
+    state = hybrid.start(Setting(standing, frozenset({humanoid.index("neck")}), fresh=True))
+    first, second = hybrid.ask(state).candidates, hybrid.ask(hybrid.tell(state, Control("next"))).candidates
+    assert nearest_two(humanoid, [standing, *first, *second]) > 0.05 * body_height(humanoid)
+
+
+def test_a_body_that_may_not_be_carried_stays_when_candidates_follow_a_pick(
+    hybrid: Hybrid, humanoid: Figure, standing: Pose
+) -> None:
+    left, right = humanoid.indices(["lefthand", "righthand"])
+    locks = (Hold(right, left, (-50.0, 0.0, 0.0)), Pin(humanoid.index("head"), (0.0, 77.0, -15.0)))
+    state = hybrid.start(Setting(standing, frozenset(humanoid.movable), fresh=True, locks=locks))
+    state = hybrid.tell(hybrid.tell(state, Control("root", value=False)), Control("mutate"))
+    state = hybrid.tell(state, LimbPick(0, (left,)))
+    shown = hybrid.ask(state).candidates
+    assert len(shown) > 4
+    for pose in (*shown, hybrid.recommend(state)):
+        assert not broken(humanoid, pose, locks)
+        assert not pose.translation.any()
+        assert not pose.angles[0].any()

@@ -51,11 +51,13 @@ def test_intensity_is_how_far_goals_lie(humanoid: Figure, generation: Generation
     assert farthest[-1] > reach(humanoid, humanoid.index("righthand"))
 
 
-def test_goals_lie_within_reach_of_the_chain(humanoid: Figure, generation: Generation) -> None:
-    proposals = Proposals.of(humanoid, replace(generation, intensity=100.0, root=False), generation.base)
-    spine = place_pose(humanoid, generation.base).origins[humanoid.index("spine")]
+@pytest.mark.parametrize("root", [False, True])
+def test_goals_lie_within_reach_of_the_chain(humanoid: Figure, generation: Generation, root: bool) -> None:
+    proposals = Proposals.of(humanoid, replace(generation, intensity=100.0, root=root), generation.base)
     for number in range(90):
-        for limb, at in goals(proposals.problem_of(number)).items():
+        found = goals(proposals.problem_of(number))
+        spine = found.pop(0) if root else np.zeros(3)  # where the body is carried to
+        for limb, at in found.items():
             assert np.linalg.norm(at - spine) <= reach(humanoid, limb) + 1e-6
 
 

@@ -112,3 +112,13 @@ def test_switching_to_the_generator_and_back_keeps_the_pose(work: Session) -> No
     pose = work.document.pose
     run(work, "use generator", "use hybrid")
     assert work.document.pose == pose
+
+
+def test_when_the_solver_is_compiled_the_page_comes_by_itself(work: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as patched:
+        patched.setattr(compiled, "loaded", lambda: False)
+        run(work, "use hybrid")
+        assert work.offer().candidates == (work.document.pose,)
+        assert work.offer().note.endswith("until then this is your pose")
+    work.kernels_ready()
+    assert len(work.offer().candidates) == 9
