@@ -55,7 +55,7 @@ def iterate(work: Any) -> float:
     for _ in range(4):
         _assemble(work)
         _write_pushes(work)
-        _solve_block(normal, 0, musts, damping)
+        _solve_block(normal, (0, musts), damping)
         changed, largest = _write_moves(work)
         if not changed:
             break
@@ -145,8 +145,9 @@ def _add_root(work: Any, musts: int) -> None:
 
 
 @jit()
-def _solve_block(normal: Any, low: int, high: int, damping: float) -> None:
-    """Solve rows low..high of (J J' + damping) y = y in place, by Cholesky's factors."""
+def _solve_block(normal: Any, rows: Any, damping: float) -> None:
+    """Solve rows from the first to before the last of (J J' + damping) y = y in place, by Cholesky's factors."""
+    low, high = rows
     y = normal.shape[1] + 1
     for i in range(low, high):
         for k in range(low, i + 1):
@@ -200,7 +201,7 @@ def _write_pushes(work: Any) -> None:
     soft = knobs[SOFT] > 0.0 and rows > musts
     if soft:
         damping = knobs[DAMPING] * _squares(normal, wants, musts, rows) + knobs[FLOOR]
-        _solve_block(normal, musts, rows, damping)
+        _solve_block(normal, (musts, rows), damping)
     for r in range(3):
         knobs[ROOT_MOVE + r] = _root_move(work, r, True) if soft else 0.0
         for t in range(tasks.shape[0]):
