@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
@@ -17,17 +17,29 @@ if TYPE_CHECKING:
     from layfigure.plugins.host import Host
 
 
-def steps(host: Host) -> Iterator[tuple[str, Callable[[], object]]]:
-    """Yield what makes every kernel ready, as (title, work), in order; what fails is set aside with its plug-in.
+Step = tuple[str, Callable[[], object]]
+PARTS = ("drawing", "posing")
 
-    What draws comes before what poses: a window that shows solids may be used while solvers still compile.
+
+def steps(host: Host, part: str = "") -> Iterator[Step]:
+    """Yield what makes every kernel ready, or those of one of the :data:`PARTS`, as (title, work), in order.
+
+    What fails is set aside with its plug-in. What draws comes first: a window that shows solids may be used while the
+    rest still compiles. The engine comes last, because its being loaded says that solvers are, too.
     """
-    yield "the engine", compiled.load
-    records: list[Renderer | Solver] = [*host.renderers.values(), *host.solvers.values()]
-    for record in records:
+    if part != "posing":
+        yield from _warmed(host, host.renderers.values())
+    if part != "drawing":
+        yield from _warmed(host, host.solvers.values())
+        yield "the engine", compiled.load
+    if not part:
+        yield "a note that all is ready", compiled.mark_warm
+
+
+def _warmed(host: Host, records: Iterable[Renderer | Solver]) -> Iterator[Step]:
+    for record in list(records):
         if record.warm is not None:
             yield record.title, _warm(host, record)
-    yield "a note that all is ready", compiled.mark_warm
 
 
 def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
@@ -40,13 +52,16 @@ def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
 
 
 class Warming:
-    """Compiles in another process where the cache is cold, then loads in a thread; the window goes on meanwhile."""
+    """Compiles in other processes where the cache is cold, then loads in a thread; the window goes on meanwhile."""
 
     def __init__(self, host: Host, done: Callable[[str], None]) -> None:
-        """``done(fault)`` is called in the thread, with an empty text or a sentence that says what went wrong."""
+        """``done(fault)`` is called in the thread once what draws is ready and again once all is.
+
+        It gets an empty text, or a sentence that says what went wrong.
+        """
         self._host = host
         self._done = done
-        self._compiler: subprocess.Popen[bytes] | None = None
+        self._compilers: dict[str, subprocess.Popen[bytes]] = {}
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._work, name="warming", daemon=True)
 
@@ -55,11 +70,12 @@ class Warming:
         self._thread.start()
 
     def stop(self) -> None:
-        """Give up; a compiler that still runs is ended."""
+        """Give up; compilers that still run are ended."""
         self._stopped.set()
-        if self._compiler is not None and self._compiler.poll() is None:
-            self._compiler.terminate()
-            self._compiler.wait()
+        for compiler in list(self._compilers.values()):
+            if compiler.poll() is None:
+                compiler.terminate()
+                compiler.wait()
 
     def join(self, seconds: float) -> bool:
         """Wait for the end of the work; return whether it came in time."""
@@ -70,22 +86,34 @@ class Warming:
         fault = ""
         try:
             if not compiled.is_warm():
-                self._compile()
-            for _, work in steps(self._host):
-                if self._stopped.is_set():
+                self._begin_compiling()
+            for part in PARTS:
+                if not self._make_ready(part):
                     return
-                work()
+                if part != PARTS[-1]:
+                    self._done("")
+            compiled.mark_warm()
         except (LayfigureError, OSError, ImportError, RuntimeError) as error:
-            fault = f"The fast drawing code cannot be made ready ({error}); figures are drawn as sticks."
+            fault = f"The fast code cannot be made ready ({error}); figures may be drawn as sticks."
         if not self._stopped.is_set():
             self._done(fault)
 
-    def _compile(self) -> None:
-        """Fill the cache in a process of its own: compiling in a thread would hold the interpreter lock."""
+    def _make_ready(self, part: str) -> bool:
+        """Load a part, once its compiler is done; return whether to go on."""
+        if part in self._compilers:
+            self._compilers[part].wait()
+        for _, work in steps(self._host, part):
+            if self._stopped.is_set():
+                return False
+            work()
+        return not self._stopped.is_set()
+
+    def _begin_compiling(self) -> None:
+        """Fill the cache in processes of their own, side by side: a thread would hold the interpreter lock."""
         compiled.prepare()
-        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet"]
         quiet = subprocess.DEVNULL
-        self._compiler = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
+        for part in PARTS:
+            command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", "--only", part]
+            self._compilers[part] = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
         if self._stopped.is_set():
-            self._compiler.terminate()
-        self._compiler.wait()
+            self.stop()
