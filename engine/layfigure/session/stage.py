@@ -205,7 +205,8 @@ class Stage:
         kept = [limb for limb in figure.movable if limb not in session.document.enabled or limb in still]
         own = [0, poses - 1] if skeleton else [0]
         styles[0, kept] = Style.STICK if takes_goals else Style.DIM
-        styles[own[1:], kept] = Style.DIM
+        if skeleton:
+            styles[-1, kept] = Style.DIM
         styles[:, list(session.view.selected)] = Style.SELECTED
         hover = session.view.hover
         if hover is not None and hover[0] + 1 < poses:
