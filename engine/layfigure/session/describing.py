@@ -6,9 +6,11 @@ from collections.abc import Sequence
 
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure, Limb
-from layfigure.figures.spoken import spoken_limb as spoken_limb
+from layfigure.figures.spoken import spoken_limb
 from layfigure.poses.locks import kind_of
 from layfigure.session.document import Document
+
+__all__ = ["describe_limbs", "describe_locks", "freedom", "listed_limbs", "spoken_limb"]
 
 _FREEDOM = {
     0: "cannot move",

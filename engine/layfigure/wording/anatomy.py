@@ -23,7 +23,7 @@ _NAMES = {
 
 @dataclass(frozen=True)
 class Side:
-    """The limbs of one side by index; ``foot`` and ``hand`` are -1 where there are none. Outward is ``sign`` times x."""
+    """The limbs of one side by index; ``foot`` and ``hand`` are -1 where there is none. Outward is ``sign`` by x."""
 
     name: str
     sign: int

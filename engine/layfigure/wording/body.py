@@ -63,9 +63,14 @@ class Body:
 
     def drop(self, point: Floats) -> float:
         """Return how far a point is below the hips, as a share of the leg's length."""
-        return round(float(self.begins[self.parts.right.thigh, 1] + self.begins[self.parts.left.thigh, 1]) / 2 - float(
-            point[1]
-        ), 3) / self.leg_length
+        return (
+            round(
+                float(self.begins[self.parts.right.thigh, 1] + self.begins[self.parts.left.thigh, 1]) / 2
+                - float(point[1]),
+                3,
+            )
+            / self.leg_length
+        )
 
     def knee(self, side: Side) -> Floats:
         """Return where a knee is."""

@@ -1,15 +1,17 @@
-"""Says in one line what leads from one pose to another."""
+"""Says what leads from one pose to another: in one line, or joint by joint."""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from layfigure.figures.figure import Figure
-from layfigure.figures.spoken import spoken_limb
-from layfigure.poses.difference import AngleChange, LimbChange, difference
+from layfigure.figures.spoken import both_limbs, spoken_limb
+from layfigure.poses.difference import AngleChange, Difference, LimbChange, difference
 from layfigure.poses.motion_words import moved_words
 from layfigure.poses.pose import Pose
 from layfigure.wording.body import fives
 
-MOST = 3
+MOST = 4
 """How many joints are named; the others are counted."""
 
 
@@ -19,16 +21,47 @@ def change_words(figure: Figure, before: Pose, after: Pose, *, roughly: bool = F
     With ``roughly`` amounts are rounded to 5 degrees and what is less is left out.
     """
     found = difference(figure, before, after)
-    told = [(limb, _joint_words(figure, limb, roughly=roughly)) for limb in found.limbs]
-    told = [(limb, words) for limb, words in told if words]
-    named = sorted(sorted(told, key=lambda each: -_size(each[0]))[:MOST], key=lambda each: each[0].limb)
-    parts = [f"{spoken_limb(figure, limb.limb)}: {words}" for limb, words in named]
+    told = {limb.limb: Told(_joint_words(figure, limb, roughly=roughly), _size(limb)) for limb in found.limbs}
+    told = _paired(figure, {limb: each for limb, each in told.items() if each.words})
+    named = sorted(sorted(told, key=lambda limb: -told[limb].size)[:MOST])
+    parts = [f"{told[limb].name or spoken_limb(figure, limb)}: {told[limb].words}" for limb in named]
     if found.carried_words:
         parts.insert(0, f"the whole carried {found.carried_words}")
-    more = len(told) - len(named)
+    more = sum(1 + bool(told[limb].name) for limb in told if limb not in named)
     if more:
         parts.append(f"{more} more joint{'s' if more > 1 else ''}")
     return "; ".join(parts)
+
+
+def difference_lines(figure: Figure, found: Difference) -> list[str]:
+    """Return a difference in full, a line for each joint with words and numbers, and one for all."""
+    if found.equal:
+        return ["the poses are equal"]
+    lines = [f"the root: carried {found.carried_words}"] if found.carried_words else []
+    for limb in found.limbs:
+        words = ", ".join(angle.words for angle in limb.angles)
+        numbers = ", ".join(f"{angle.kind} {angle.degrees:+.6g}" for angle in limb.angles)
+        lines.append(f"{spoken_limb(figure, limb.limb)}: {words} ({numbers}); its tip moved {limb.tip_distance:.1f}")
+    return [*lines, f"closeness {found.closeness:.1f}, {found.share:.1%} of the figure's length"]
+
+
+class Told(NamedTuple):
+    """What is said of a joint, or of two twins under the ``name`` of both, and by how many degrees it changed."""
+
+    words: str
+    size: float
+    name: str = ""
+
+
+def _paired(figure: Figure, told: dict[int, Told]) -> dict[int, Told]:
+    """Return what is said, twins that do the same under the first of them."""
+    pairs = dict(told)
+    for limb, each in told.items():
+        twin = figure.limbs[limb].twin
+        if limb < twin and twin in told and told[twin].words == each.words:
+            del pairs[twin]
+            pairs[limb] = each._replace(name=both_limbs(figure, limb))
+    return pairs
 
 
 def _joint_words(figure: Figure, change: LimbChange, *, roughly: bool) -> str:

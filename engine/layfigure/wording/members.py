@@ -147,14 +147,17 @@ def _touching(body: Body, side: Side, *, bent: bool) -> str:
     if parts.head >= 0:
         middle = (body.begins[parts.head] + body.ends[parts.head]) / 2
         near[_at_head(body, hand - middle)] = (middle, 0.15)
-    ways = {words: float(np.linalg.norm(hand - point)) / (reach * body.height) for words, (point, reach) in near.items()}
-    words = min(ways, key=lambda each: round(ways[each], 4))
-    return f"hand {words}" if round(ways[words], 4) < 1.0 else ""
+    ways = {
+        words: round(float(np.linalg.norm(hand - point)) / (reach * body.height), 4)
+        for words, (point, reach) in near.items()
+    }
+    words = min(ways, key=lambda each: ways[each])
+    return f"hand {words}" if ways[words] < 1.0 else ""
 
 
 def _at_head(body: Body, way: Floats) -> str:
-    ahead = -(body.turn(body.parts.head).T @ way)[2] / body.height
-    return "behind the head" if round(ahead, 4) <= -0.02 else "at the face" if round(ahead, 4) >= 0.04 else "at the head"
+    ahead = round(float(-(body.turn(body.parts.head).T @ way)[2]) / body.height, 4)
+    return "behind the head" if ahead <= -0.02 else "at the face" if ahead >= 0.04 else "at the head"
 
 
 def _to_side(amount: float, words: str) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
-from layfigure.figures.spoken import spoken_limb
+from layfigure.figures.spoken import both_limbs, spoken_limb
 from layfigure.poses.freedom import existing_angles
 from layfigure.poses.motion_words import moved_words
 from layfigure.poses.pose import Pose
@@ -26,7 +28,7 @@ def describe_pose(figure: Figure, pose: Pose) -> tuple[Statement, ...]:
     parts = anatomy(figure)
     if parts is None:
         return tuple(_joints(figure, pose)) or (AT_REST,)
-    return tuple([*_body(Body.of(figure, parts, pose)), *_beyond(figure, parts, pose)])
+    return (*_body(Body.of(figure, parts, pose)), *_beyond(figure, parts, pose))
 
 
 def sentences(statements: tuple[Statement, ...]) -> tuple[str, ...]:
@@ -46,26 +48,36 @@ def _body(body: Body) -> list[Statement]:
 
 def _beyond(figure: Figure, parts: Anatomy, pose: Pose) -> list[Statement]:
     """Say the joints that a human body has none of: wings, a tail, fingers."""
-    arms_and_legs = {limb for side in parts.sides for limb in vars(side).values() if isinstance(limb, int)}
-    trunk = {limb for side in parts.sides for limb in (side.thigh, side.upperarm)}
-    above = {0, parts.spine, parts.head}
-    for limb in (*trunk, parts.head):
-        while limb > 0:
-            above.add(limb)
-            limb = figure.limbs[limb].parent
-    return _joints(figure, pose, leaving_out=frozenset(arms_and_legs | above))
+    sides = {limb for side in parts.sides for limb in vars(side).values() if isinstance(limb, int)}
+    trunk = {limb for end in (*sides, parts.head) for limb in _upward(figure, end)}
+    return _joints(figure, pose, leaving_out=frozenset(sides | trunk | {0, parts.spine}))
+
+
+def _upward(figure: Figure, limb: int) -> Iterator[int]:
+    """Yield a limb and all above it, the root left out."""
+    while limb > 0:
+        yield limb
+        limb = figure.limbs[limb].parent
 
 
 def _joints(figure: Figure, pose: Pose, leaving_out: frozenset[int] = frozenset()) -> list[Statement]:
-    """Say what every joint does, beginning from rest."""
+    """Say what every joint does, beginning from rest; twins that do the same are said at once."""
+    said = {limb: _joint(figure, pose, limb) for limb in range(len(figure.limbs)) if limb not in leaving_out}
     found: list[Statement] = []
-    has = existing_angles(figure)
-    for limb in range(len(figure.limbs)):
-        clauses = []
-        for column, kind in enumerate(DOF_KINDS):
-            angle = fives(float(pose.angles[limb, column]))
-            if limb not in leaving_out and has[limb, column] and abs(angle) >= 5:
-                words = f"{kind} {angle} degrees"
-                clauses.append(words if limb == 0 else f"{moved_words(figure, limb, kind, (0.0, angle))} ({words})")
-        found += told(spoken_limb(figure, limb), *clauses)
+    for limb, clauses in said.items():
+        twin = figure.limbs[limb].twin
+        alike = twin != limb and said.get(twin) == clauses
+        if not (alike and twin < limb):
+            found += told(both_limbs(figure, limb) if alike else spoken_limb(figure, limb), *clauses)
     return found
+
+
+def _joint(figure: Figure, pose: Pose, limb: int) -> tuple[str, ...]:
+    clauses = []
+    has = existing_angles(figure)[limb]
+    for column, kind in enumerate(DOF_KINDS):
+        angle = fives(float(pose.angles[limb, column]))
+        if has[column] and angle:
+            words = f"{kind} {angle} degrees"
+            clauses.append(words if limb == 0 else f"{moved_words(figure, limb, kind, (0.0, angle))} ({words})")
+    return tuple(clauses)

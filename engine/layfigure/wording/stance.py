@@ -103,13 +103,15 @@ def _seated(body: Body, legs: list[Leg]) -> list[str]:
     behind = bool((body.turn(0).T @ trunk)[2] > 0)
     if behind and between(trunk, _UP) >= 30:
         return ["lying back"]
-    return ["sitting", "legs level" if max(leg.ankle for leg in legs) < 0.25 else ""]
+    if min(leg.raised for leg in legs) > 110 and min(leg.bend for leg in legs) >= 90:
+        return ["sitting", "knees drawn up"]
+    level = all(abs(leg.ankle) < 0.25 and leg.bend < 60 for leg in legs)
+    return ["sitting", "legs level" if level else ""]
 
 
 def _on_foot(body: Body, right: Leg, left: Leg) -> list[str]:
     """Say how a body stands, steps or runs."""
     front = next((one for one, other in ((right, left), (left, right)) if one.forward and other.behind), None)
-    back = left if front is right else right
     if front is not None and front.bend >= 30:
         doing = "lunging" if front.ahead >= 0.36 and front.ankle > 0.5 else "running"
         return [doing, f"{front.side.name} leg in front"]
@@ -118,8 +120,8 @@ def _on_foot(body: Body, right: Leg, left: Leg) -> list[str]:
         return [f"standing on the {low.side.name} leg", f"{high.side.name} foot lifted"]
     ahead = round(right.ahead - left.ahead, 3)
     if abs(ahead) >= 0.35:
-        front, back = (right, left) if ahead > 0 else (left, right)
-        return [f"stepping, {front.side.name} foot in front", _weight(body)]
+        first = right if ahead > 0 else left
+        return [f"stepping, {first.side.name} foot in front", _weight(body)]
     apart = float(np.linalg.norm(body.ankle(right.side) - body.ankle(left.side))) / body.leg_length
     crouched = min(right.bend, left.bend) >= 40
     wide = round(apart, 3) >= 0.65

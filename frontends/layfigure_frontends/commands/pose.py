@@ -34,35 +34,59 @@ window_options = as_record(
 )
 
 
+@dataclass(frozen=True)
+class LineChoice:
+    """Whether to work at the line prompt, and whether a failing line ends it."""
+
+    plain: bool
+    strict: bool
+
+
+line_options = as_record(
+    "lines",
+    LineChoice,
+    click.option("--plain", is_flag=True, help="Work by typed lines and sentences: no window, no cursor movement."),
+    click.option("--strict", is_flag=True, help="With --plain and a pipe: end with status 2 where a line fails."),
+)
+
+
 @click.command("pose")
 @click.argument("what", default="", metavar="[FIGURE|POSE]")
 @click.option("--frontend", type=click.Choice(FRONTENDS), help="Where to work (default: what there is).")
+@line_options
 @window_options
 @plugin_options
-def command(what: str, frontend: str | None, window: WindowChoice, choice: PluginChoice) -> int:
+def command(what: str, frontend: str | None, lines: LineChoice, window: WindowChoice, choice: PluginChoice) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
-    Opens a window where there is a display; else plays a script and writes a picture and a pose.
+    Opens a window where there is a display; else plays a script and writes a picture and a pose. With --plain lines
+    are read from a terminal or a pipe and answered in sentences.
     """
     from layfigure.configuration import load_configuration
 
     configuration = load_configuration(choice.config)
-    if choose_frontend(frontend or configuration.frontend) == "headless":
+    chosen = "plain" if lines.plain else choose_frontend(frontend or configuration.frontend)
+    if chosen == "plain":
+        from layfigure_frontends.plain.loop import run as run_prompt
+
+        return run_prompt(lambda: _interactive(choice, what, "plain", window), strict=lines.strict)
+    if chosen == "headless":
         from layfigure_frontends.headless import pose_without_window
 
         pose_without_window(choice, what)
         return 0
-    from layfigure_frontends.sdl.app import WindowOptions, run
+    from layfigure_frontends.sdl.app import WindowOptions
+    from layfigure_frontends.sdl.app import run as run_window
 
     options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
-    return run(lambda: _interactive(choice, what, window), options)
+    return run_window(lambda: _interactive(choice, what, "sdl", window), options)
 
 
-def _interactive(choice: PluginChoice, what: str, window: WindowChoice) -> Session:
+def _interactive(choice: PluginChoice, what: str, frontend: str, window: WindowChoice) -> Session:
     from layfigure_frontends.opening import open_session
     from layfigure_frontends.recovery import Recovery
 
-    session = open_session(choice, what, "sdl", window.keymap)
+    session = open_session(choice, what, frontend, window.keymap)
     recovery = Recovery(session)
     session.on_closed = recovery.close
     if not window.no_restore:

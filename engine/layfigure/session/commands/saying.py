@@ -12,6 +12,7 @@ from layfigure.session.describing import freedom
 from layfigure.session.frame import HelpOverlay
 from layfigure.session.modes import HelpMode, help_page
 from layfigure.session.words import no_more, one_of
+from layfigure.wording.anatomy import anatomy
 from layfigure.wording.changes import change_words
 from layfigure.wording.places import place_words
 from layfigure.wording.poses import describe_pose, sentences
@@ -31,15 +32,17 @@ def _describe(session: Session, words: tuple[str, ...]) -> None:
         return
     number_ = candidate(session, words)
     pose = session.offer().candidates[number_]
-    changed = candidate_words(session, number_)
+    changed = change_words(document.figure, document.pose, pose, roughly=True) or "nearly the same"
     statements = (*describe_pose(document.figure, pose), Statement("compared with your pose,", (changed,)))
     _show_statements(session, f"Candidate {number_ + 1}", statements)
 
 
 def candidate_words(session: Session, number_: int) -> str:
-    """Return in one line what sets candidate ``number_`` (0-based) apart from the pose."""
+    """Return in one line what candidate ``number_`` (0-based) does and what sets it apart from the pose."""
     document, pose = session.document, session.offer().candidates[number_]
     found = change_words(document.figure, document.pose, pose, roughly=True)
+    if found and anatomy(document.figure) is not None:
+        found = f"{', '.join(describe_pose(document.figure, pose)[0].clauses)}; {found}"
     return found or ("as your pose is" if pose == document.pose else "nearly as your pose is")
 
 
@@ -64,14 +67,14 @@ def _where(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _list(session: Session, words: tuple[str, ...]) -> None:
-    what = one_of(words, 0, "list", _LISTS)
+    what = one_of(words, 0, "list", (*_LISTS, "keys"))
     no_more(words, 1)
     if what == "keys":
         titles = {name: command.title for name, command in session.commands().items()}
         _show(session, help_page(session.key_table(), session.situation, titles))
         return
     rows = _LISTS[what](session)
-    spoken = tuple(f"{key}: {text}" for key, text in rows)
+    spoken = tuple(f"{key}: {text}." for key, text in rows)
     _show(session, HelpOverlay(what.capitalize(), ((what.capitalize(), rows),), keys=False, spoken=spoken))
 
 
@@ -109,7 +112,6 @@ _LISTS = {
     "candidates": _candidate_rows,
     "techniques": _technique_rows,
     "commands": _command_rows,
-    "keys": lambda session: (),
 }
 
 COMMANDS = (
