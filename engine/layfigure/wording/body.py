@@ -99,8 +99,9 @@ def between(a: Floats, b: Floats) -> float:
 
 
 def bearing(right: float, ahead: float) -> float:
-    """Return the angle in degrees from ahead towards the right, -180 to 180, rounded to 1e-3."""
-    return round(float(np.degrees(np.arctan2(right, ahead))), 3)
+    """Return the angle in degrees from ahead towards the right, above -180 to 180, rounded to 1e-3."""
+    angle = round(float(np.degrees(np.arctan2(round(float(right), 5), round(float(ahead), 5)))), 3)
+    return 180.0 if angle == -180.0 else angle + 0.0
 
 
 def fives(angle: float) -> int:

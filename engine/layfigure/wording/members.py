@@ -127,7 +127,7 @@ def _pointing(way: Floats, side: Side) -> str:
 
 def _foot(way: Floats, side: Side) -> list[str]:
     height = _degrees(way[1])
-    aside = bearing(side.sign * way[0], -way[2])
+    aside = bearing(side.sign * way[0], -way[2]) if abs(way[1]) < 0.98 else 0.0
     pointed = f"toes {fives(abs(height))} degrees {'up' if height > 0 else 'down'}" if abs(height) >= SEEN else ""
     turned = f"foot turned {fives(abs(aside))} degrees {'out' if aside > 0 else 'in'}" if abs(aside) >= SEEN else ""
     return [pointed, turned]

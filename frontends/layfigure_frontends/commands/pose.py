@@ -67,6 +67,10 @@ def command(what: str, frontend: str | None, lines: LineChoice, window: WindowCh
     configuration = load_configuration(choice.config)
     chosen = "plain" if lines.plain else choose_frontend(frontend or configuration.frontend)
     if chosen == "plain":
+        from layfigure_frontends.plain.voice import at_terminal, greet
+
+        if at_terminal():
+            greet()  # before what takes a moment to import
         from layfigure_frontends.plain.loop import run as run_prompt
 
         return run_prompt(lambda: _interactive(choice, what, "plain", window), strict=lines.strict)

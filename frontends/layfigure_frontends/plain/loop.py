@@ -13,7 +13,7 @@ from layfigure_frontends.plain.interruptions import EndedError, Interruptions
 from layfigure_frontends.plain.reading import Pipe, Reader, Terminal
 from layfigure_frontends.plain.readying import Readying
 from layfigure_frontends.plain.telling import Before, outcome
-from layfigure_frontends.plain.voice import Voice, as_sentence
+from layfigure_frontends.plain.voice import Voice, as_sentence, at_terminal
 from layfigure_frontends.plain.words import ALIASES, completions, understood
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def run(make_session: Callable[[], Session], *, strict: bool = False) -> int:
     Raises:
         LayfigureError: the session cannot be made.
     """
-    terminal = sys.stdin.isatty() and sys.stdout.isatty()
+    terminal = at_terminal()
     voice, interruptions = Voice(terminal=terminal), Interruptions()
     with interruptions.handled():
         session = make_session()
@@ -69,7 +69,7 @@ class _Prompt:
         if self._terminal:
             technique = session.workshop.record(session.document.technique).title
             name = session.document.figure.name
-            self._voice.say([f"Layfigure, {name}, technique {technique}. Type help, or describe, or quit."])
+            self._voice.say([f"{name.capitalize()}, technique {technique}. Type help, describe or quit."])
         if session.status:
             self._voice.warn(as_sentence(session.status))
         if isinstance(session.mode, QuestionMode):

@@ -99,9 +99,15 @@ class Terminal:
 
 
 def _readline() -> ModuleType | None:
-    """Return the readline module where there is one; on a dumb terminal it is kept from drawing."""
+    """Return the readline module where there is one and it is wanted."""
+    terminal = os.environ.get("TERM", "dumb")
+    if terminal == "dumb":
+        return None  # an editor's shell buffer, for one, edits lines itself
+    os.environ["TERM"] = "dumb"  # so that readline redraws a line without moving the cursor about
     try:
         import readline
     except ImportError:
         return None
-    return None if os.environ.get("TERM", "dumb") == "dumb" else readline
+    finally:
+        os.environ["TERM"] = terminal
+    return readline

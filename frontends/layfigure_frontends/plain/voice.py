@@ -14,6 +14,16 @@ _SIGNS = str.maketrans(
 """Signs that screen readers skip or spell out, as words."""
 
 
+def at_terminal() -> bool:
+    """Whether a person types here and reads the answers, rather than a pipe."""
+    return sys.stdin.isatty() and sys.stdout.isatty()
+
+
+def greet() -> None:
+    """Give the first sign of life."""
+    _write(sys.stdout, ["Layfigure, line prompt."])
+
+
 class Voice:
     """Writes lines at once. On a terminal everything goes to standard output, in order; else errors go apart."""
 
