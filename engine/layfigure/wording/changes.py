@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from layfigure.figures.figure import Figure
@@ -25,7 +26,10 @@ def change_words(figure: Figure, before: Pose, after: Pose, *, roughly: bool = F
     told = _paired(figure, {limb: each for limb, each in told.items() if each.words})
     named = sorted(sorted(told, key=lambda limb: -told[limb].size)[:MOST])
     parts = [f"{told[limb].name or spoken_limb(figure, limb)}: {told[limb].words}" for limb in named]
-    if found.carried_words:
+    far = round(math.hypot(*found.carried))
+    if far and roughly:
+        parts.insert(0, f"the whole carried {far} unit{'s' if far > 1 else ''}")
+    elif found.carried_words and not roughly:
         parts.insert(0, f"the whole carried {found.carried_words}")
     more = sum(1 + bool(told[limb].name) for limb in told if limb not in named)
     if more:

@@ -35,6 +35,14 @@ def test_the_largest_changes_are_named_and_the_others_counted():
     assert words.endswith("; 2 more joints") and "neck" not in words and "left leg: bent 40 degrees more" in words
 
 
+def test_a_figure_that_was_carried_says_so_first():
+    carried = Pose.of(moved(REST, "neck", 0, 0, 10).angles, (3.2, -4, 0))
+    exactly = "the whole carried 3.2 left, 4 down; neck: turned 10 degrees to the right"
+    assert change_words(HUMANOID, REST, carried) == exactly
+    roughly = "the whole carried 5 units; neck: turned 10 degrees to the right"
+    assert change_words(HUMANOID, REST, carried, roughly=True) == roughly
+
+
 def test_roughly_means_fives_and_leaves_out_what_is_less():
     pose = moved(moved(REST, "rightforearm", 33.4, 0, 0), "leftforearm", 2, 0, 0)
     assert change_words(HUMANOID, REST, pose, roughly=True) == "right forearm: bent 35 degrees more"
