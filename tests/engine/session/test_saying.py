@@ -11,7 +11,10 @@ def test_describe_says_the_pose_on_the_status_line_and_as_a_page(session):
     page = session.mode.overlay()
     assert session.status == "Standing upright. Right elbow bent 90 degrees, forearm forward."
     assert page.spoken == ("Standing upright.", "Right elbow bent 90 degrees, forearm forward.")
-    assert page.sections[1] == ("Right elbow", (("·", "bent 90 degrees"), ("·", "forearm forward")))
+    assert page.sections == (
+        ("The whole body", ((" ", "standing upright"),)),
+        ("Right elbow", ((" ", "bent 90 degrees"), (" ", "forearm forward"))),
+    )
     session.run("cancel")
     assert session.mode.overlay() is None
 

@@ -48,12 +48,18 @@ def candidate_words(session: Session, number_: int) -> str:
 
 def _show_statements(session: Session, title: str, statements: tuple[Statement, ...]) -> None:
     said = sentences(statements)
-    sections = tuple(
-        (each.subject.capitalize() or "The whole body", tuple(("·", clause) for clause in each.clauses))
-        for each in statements
-    )
-    _show(session, HelpOverlay(title, sections, keys=False, spoken=said))
+    _show(session, HelpOverlay(title, _sections(statements), keys=False, spoken=said))
     session.say(" ".join(said))
+
+
+def _sections(statements: tuple[Statement, ...]) -> tuple[tuple[str, Rows], ...]:
+    """Return statements as the sections of a page, a row for each clause; a row needs something where amounts stand."""
+    sections: dict[str, Rows] = {}
+    for each in statements:
+        title = each.subject.rstrip(",").capitalize() or "The whole body"
+        rows = tuple((" ", part) for clause in each.clauses for part in clause.split("; "))
+        sections[title] = (*sections.get(title, ()), *rows)
+    return tuple(sections.items())
 
 
 def _show(session: Session, page: HelpOverlay) -> None:
