@@ -84,7 +84,7 @@ def _numbers(session: Session, name: str) -> PaletteMode:
         prompt = f"Place of the end of the {spoken_limb(figure, limb)}, x y z:"
     text = " ".join(f"{value:.2f}".rstrip("0").rstrip(".") for value in values)
     prefix = join_line(name, [figure.names[limb]])
-    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True)
+    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True, offered=True)
 
 
 def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
