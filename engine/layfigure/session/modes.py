@@ -164,7 +164,8 @@ class PaletteMode(Plain):
     """A line to type a command into, with the commands that match.
 
     With a ``prefix`` what is typed is the word that follows it; ``verbatim`` takes it as several words. A text that is
-    ``offered`` stands there to be accepted or edited; typing at once replaces it.
+    ``offered`` stands there to be accepted or edited; typing at once replaces it. ``hint`` says what to type where no
+    row can.
     """
 
     entries: tuple[Entry, ...]
@@ -175,6 +176,7 @@ class PaletteMode(Plain):
     message: str = ""
     verbatim: bool = False
     offered: bool = False
+    hint: str = ""
 
     @property
     def state(self) -> str:
@@ -232,7 +234,7 @@ class PaletteMode(Plain):
     def overlay(self) -> PaletteOverlay:
         """Return the palette."""
         rows = tuple((" ".join((e.command, e.usage)).strip(), e.title, e.key) for e in self.rows)
-        return PaletteOverlay(self.prompt, self.text, rows, self.chosen, self.message)
+        return PaletteOverlay(self.prompt, self.text, rows, self.chosen, self.message or ("" if rows else self.hint))
 
 
 @dataclass(frozen=True)
