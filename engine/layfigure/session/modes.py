@@ -148,15 +148,17 @@ class HelpMode(Plain):
 
 def help_page(table: KeyTable, situation: Situation, titles: dict[str, str]) -> HelpOverlay:
     """Return the help of everything that works in a situation; ``titles`` names commands without a title of theirs."""
-    groups: dict[str, list[tuple[str, str]]] = {}
+    groups: dict[str, dict[tuple[str, str], tuple[str, ...]]] = {}
     for binding in table.valid(situation):
         example = binding.line(binding.keys[0]) if binding.keys else binding.command
         mine = [key for key in binding.keys if table.resolve(key, situation) == binding.line(key)]
         if mine:
-            title = binding.title or titles.get(example.split()[0], example)
-            groups.setdefault(binding.group, []).append((spoken_keys(tuple(mine)), title))
+            row = (binding.title or titles.get(example.split()[0], example), binding.command)
+            group = groups.setdefault(binding.group, {})
+            group[row] = (*group.get(row, ()), *mine)
     order = sorted(groups, key=lambda group: (group == "Everywhere", 0))
-    return HelpOverlay("Keys that work now", tuple((group, tuple(groups[group])) for group in order))
+    sections = ((group, tuple((spoken_keys(keys), row[0]) for row, keys in groups[group].items())) for group in order)
+    return HelpOverlay("Keys that work now", tuple(sections))
 
 
 @dataclass(frozen=True)
