@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
@@ -13,6 +12,7 @@ from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
+from layfigure.session.commands.files import named_file
 from layfigure.session.commands.slots import ask_recall, ask_store
 from layfigure.session.describing import allowed_angles, spoken_limb
 from layfigure.session.keymap import spoken
@@ -167,7 +167,7 @@ def _figures(session: Session, words: tuple[str, ...]) -> None:
 
 def _plugin(session: Session, words: tuple[str, ...]) -> None:
     """Not logged: a log that runs a stranger's code from a path would be a trap."""
-    path = session.options.folder / Path(required(words, 0, "a plug-in file")).expanduser()
+    path = named_file(session, required(words, 0, "a plug-in file"))
     no_more(words, 1)
     session.swap_plugin(plugin_file(path))
     brought = ", ".join(record.id for record in session.host.records_of(path.stem)) or "nothing"
