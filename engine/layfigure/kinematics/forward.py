@@ -5,6 +5,7 @@ It also serves the first moments of a window, before the kernels are loaded.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -58,6 +59,11 @@ def turns(figure: Figure) -> NDArray[np.bool_]:
 def place_pose(figure: Figure, pose: Pose) -> Placement:
     """Return the placement of one pose: (n, 3, 3) rotations and (n, 3) origins."""
     return place(figure, pose.angles, pose.translation)
+
+
+def place_poses(figure: Figure, poses: Sequence[Pose]) -> Placement:
+    """Return the placement of k poses, at least one: (k, n, 3, 3) rotations and (k, n, 3) origins."""
+    return place(figure, np.stack([pose.angles for pose in poses]), np.stack([pose.translation for pose in poses]))
 
 
 def limb_begins(figure: Figure, placement: Placement) -> Floats:

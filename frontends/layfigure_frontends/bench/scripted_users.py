@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import closeness, limb_ends, place
+from layfigure.kinematics.forward import closeness, limb_ends, place_poses
 from layfigure.kinematics.swing import half_distance, half_vector
 from layfigure.poses.pose import Pose
 from layfigure.session.document import Document
@@ -83,8 +83,7 @@ class Grader:
     def distances(self) -> Floats:
         """Return how far each pose on show is from the target (k,), in figure units."""
         shown = (*self.workshop.offer(self.document).candidates, self.target)
-        angles, translations = np.stack([p.angles for p in shown]), np.stack([p.translation for p in shown])
-        tips = limb_ends(self.document.figure, place(self.document.figure, angles, translations))
+        tips = limb_ends(self.document.figure, place_poses(self.document.figure, shown))
         return np.asarray(np.linalg.norm(tips[:-1] - tips[-1], axis=(1, 2)))
 
     def tell(self, event: Event) -> None:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.balance import lowest, overhang, standing_floor
-from layfigure.kinematics.forward import Placement, place, place_pose
+from layfigure.kinematics.forward import Placement, place_pose, place_poses
 from layfigure.kinematics.measures import body_height
 from layfigure.poses.contacts import deepest_contact
 from layfigure.poses.locks import Lock, Pin
@@ -37,7 +37,7 @@ def floor_under(figure: Figure, seed: Pose, locks: Sequence[Lock]) -> float:
 
 def failures(figure: Figure, poses: Sequence[Pose], tests: frozenset[str], floor: float) -> list[str]:
     """Return the first test that each pose fails, in the order of :data:`SLACK`, or "" where it passes all."""
-    placement = place(figure, np.stack([pose.angles for pose in poses]), np.stack([pose.translation for pose in poses]))
+    placement = place_poses(figure, poses)
     verdicts = {test: _excess(figure, placement, test, floor) for test in SLACK if test in tests}
     allowed = {test: SLACK[test] * body_height(figure) for test in verdicts}
     return [next((test for test in verdicts if verdicts[test][i] > allowed[test]), "") for i in range(len(poses))]

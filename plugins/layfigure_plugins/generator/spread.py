@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from layfigure.drawing.camera import FRONT
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import limb_ends, place
+from layfigure.kinematics.forward import limb_ends, place_poses
 from layfigure.poses.pose import Pose
 from layfigure.techniques import spreading
 
@@ -18,8 +18,8 @@ Floats = NDArray[np.float64]
 
 def seen(figure: Figure, poses: Sequence[Pose]) -> Floats:
     """Return where the limbs' tips are in the front view (k, 2n), in figure units."""
-    placement = place(figure, np.stack([pose.angles for pose in poses]), np.stack([pose.translation for pose in poses]))
-    return np.asarray((limb_ends(figure, placement) @ np.array(FRONT, dtype=np.float64)[:2].T).reshape(len(poses), -1))
+    tips = limb_ends(figure, place_poses(figure, poses))
+    return np.asarray((tips @ np.array(FRONT, dtype=np.float64)[:2].T).reshape(len(poses), -1))
 
 
 def far_apart(figure: Figure, seed: Pose, poses: Sequence[Pose], count: int) -> list[int]:

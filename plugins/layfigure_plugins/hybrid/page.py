@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import limb_ends, place
+from layfigure.kinematics.forward import limb_ends, place_poses
 from layfigure.kinematics.measures import body_height
 from layfigure.poses.locks import JointLock, Lock, broken
 from layfigure.poses.pose import Pose
@@ -128,12 +128,7 @@ class Pages:
 
     def _seen(self, poses: Sequence[Pose]) -> Floats:
         """Return where the limbs' tips are (k, 3n), in figure units."""
-        placement = place(
-            self._figure,
-            np.stack([pose.angles for pose in poses]),
-            np.stack([pose.translation for pose in poses]),
-        )
-        return limb_ends(self._figure, placement).reshape(len(poses), -1)
+        return limb_ends(self._figure, place_poses(self._figure, poses)).reshape(len(poses), -1)
 
 
 def brought_back(bench: Bench, pose: Pose, locks: tuple[Lock, ...], turns: Sequence[frozenset[int]]) -> Kept:
