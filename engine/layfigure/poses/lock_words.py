@@ -1,8 +1,11 @@
-"""Locks as words, for logs and for the plain data of techniques: ``place lefthand 25 -20 0``."""
+"""Locks as words, for logs and for the plain data of techniques: ``place lefthand 25 -20 0``.
+
+Several locks fit into one word without white space, for addresses: ``place,lefthand,25,-20,0~joint,neck``.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
@@ -42,6 +45,20 @@ def read_lock(figure: Figure, words: Sequence[str]) -> Lock:
     if not all(abs(value) <= 1e6 for value in (x, y, z)):
         raise LayfigureError(f'"{" ".join(words)[:60]}" is out of bounds; a lock lies within a million units')
     return _placed(figure, words, limb, (x, y, z))
+
+
+def write_locks(figure: Figure, locks: Iterable[Lock]) -> str:
+    """Return locks as one word; no locks are an empty one."""
+    return "~".join(",".join(lock_words(figure, lock)) for lock in locks)
+
+
+def read_locks(figure: Figure, word: str) -> tuple[Lock, ...]:
+    """Return the locks that :func:`write_locks` wrote down.
+
+    Raises:
+        LayfigureError: the word describes none, or limbs that the figure does not have.
+    """
+    return tuple(read_lock(figure, text.split(",")) for text in word.split("~")) if word else ()
 
 
 def _placed(figure: Figure, words: Sequence[str], limb: int, vector: Vector) -> Lock:

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.errors import ImpossibleError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.swing import canonical
-from layfigure.poses.lock_words import lock_words, read_lock
 from layfigure.poses.locks import Lock, locked_joints
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
@@ -28,6 +27,7 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
+from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
 from layfigure_plugins.forward.snapping import snapped
 
 VERSION = 1
@@ -97,8 +97,8 @@ class Forward:
         return {
             "version": VERSION,
             "pose": pack_pose(self.figure, state.pose),
-            "enabled": [self.figure.names[limb] for limb in sorted(state.enabled)],
-            "locks": [list(lock_words(self.figure, lock)) for lock in state.locks],
+            "enabled": limb_names(self.figure, state.enabled),
+            "locks": lock_lists(self.figure, state.locks),
             "snap": state.snap,
             "limits": state.limits,
         }
@@ -109,18 +109,14 @@ class Forward:
         Raises:
             LayfigureError: another version, another figure, or damaged data.
         """
-        if data.get("version") != VERSION:
-            raise LayfigureError(f"forward kinematics reads states of version {VERSION}, not {data.get('version')!r}")
-        try:
+        with reading("forward kinematics", data, VERSION):
             return ForwardState(
                 unpack_pose(self.figure, data["pose"]),
-                frozenset(self.figure.indices(data["enabled"])),
-                tuple(read_lock(self.figure, words) for words in data["locks"]),
+                limbs_named(self.figure, data["enabled"]),
+                locks_listed(self.figure, data["locks"]),
                 bool(data["snap"]),
                 bool(data["limits"]),
             )
-        except (KeyError, TypeError, AttributeError) as error:
-            raise LayfigureError(f"the state is damaged ({error}); start the technique again") from None
 
     def _turned(self, state: ForwardState, limb: int, angles: tuple[float, float, float]) -> ForwardState:
         self._check_may_turn(state, limb)

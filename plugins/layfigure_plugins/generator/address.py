@@ -13,9 +13,10 @@ import re
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
+from layfigure.poses.lock_words import read_locks, write_locks
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure_plugins.generator.alternatives import SWING, TWIST
-from layfigure_plugins.generator.condition_words import read_choice, read_locks, write_choice, write_locks
+from layfigure_plugins.generator.condition_words import read_choice, write_choice
 from layfigure_plugins.generator.conditions import Conditions
 from layfigure_plugins.generator.state import PAGES, Generation
 

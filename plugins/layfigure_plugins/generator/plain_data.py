@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
+from layfigure.poses.lock_words import read_locks, write_locks
 from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.techniques.plain_data import limb_names, limbs_named, reading
 from layfigure_plugins.generator.address import read_address, write_address
 from layfigure_plugins.generator.alternatives import SWING, TWIST
-from layfigure_plugins.generator.condition_words import read_locks, write_locks
 from layfigure_plugins.generator.state import GeneratorState
 
 VERSION = 1
@@ -24,7 +24,7 @@ def dumped(figure: Figure, state: GeneratorState) -> dict[str, Any]:
         "page": write_address(figure, state.generation, state.page),
         "intensity": state.intensity,
         "kind": state.kind,
-        "enabled": [figure.names[limb] for limb in sorted(state.enabled)],
+        "enabled": limb_names(figure, state.enabled),
         **({"locks": write_locks(figure, state.locks)} if state.locks else {}),
     }
 
@@ -35,9 +35,7 @@ def loaded(figure: Figure, data: Mapping[str, Any]) -> GeneratorState:
     Raises:
         LayfigureError: another version, another figure, or damaged data.
     """
-    if data.get("version") != VERSION:
-        raise LayfigureError(f"the generator reads states of version {VERSION}, this one is {data.get('version')!r}")
-    try:
+    with reading("the generator", data, VERSION):
         generation, page = read_address(figure, data["page"])
         return GeneratorState(
             seed=unpack_pose(figure, data["seed"]),
@@ -45,11 +43,9 @@ def loaded(figure: Figure, data: Mapping[str, Any]) -> GeneratorState:
             page=page,
             intensity=_checked_intensity(data["intensity"]),
             kind=_checked_kind(data["kind"]),
-            enabled=frozenset(figure.indices(data["enabled"])),
+            enabled=limbs_named(figure, data["enabled"]),
             locks=read_locks(figure, data.get("locks", "")),
         )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise LayfigureError(f"the generator's state is damaged ({error}); start the technique again") from None
 
 
 def _checked_intensity(value: Any) -> float:

@@ -7,8 +7,8 @@ from typing import Any
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.poses.locks import KINDS, Lock, kind_of
 from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
 from layfigure_plugins.genetic.chromosome import TOP, Chromosome
 from layfigure_plugins.genetic.crossover import CROSSOVERS
 from layfigure_plugins.genetic.population import Breeding
@@ -24,8 +24,8 @@ def dumped(figure: Figure, state: GeneticState) -> dict[str, Any]:
         "figure": figure.name,
         "pose": pack_pose(figure, state.pose),
         "base": pack_pose(figure, state.base),
-        "enabled": [figure.names[limb] for limb in sorted(state.enabled)],
-        "locks": [{"kind": kind_of(lock), **_lock_fields(lock)} for lock in state.locks],
+        "enabled": limb_names(figure, state.enabled),
+        "locks": lock_lists(figure, state.locks),
         "seed": state.seed,
         "generation": state.generation,
         "population": [_genes(figure, chromosome) for chromosome in state.population],
@@ -42,14 +42,10 @@ def loaded(figure: Figure, data: Mapping[str, Any]) -> GeneticState:
     Raises:
         LayfigureError: another version, another figure, or damaged data.
     """
-    if data.get("version") != VERSION:
-        raise LayfigureError(f"the genetic algorithm reads states of version {VERSION}, not {data.get('version')!r}")
-    if data.get("figure") != figure.name:
-        raise LayfigureError(f"the state is of the figure {data.get('figure')!r}, not of {figure.name}")
-    try:
+    with reading("the genetic algorithm", data, VERSION):
+        if data.get("figure") != figure.name:
+            raise LayfigureError(f"the state is of the figure {data.get('figure')!r}, not of {figure.name}")
         return _read(figure, data)
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError, OverflowError) as error:
-        raise LayfigureError(f"the genetic algorithm's state is damaged ({error}); start it again") from None
 
 
 def _read(figure: Figure, data: Mapping[str, Any]) -> GeneticState:
@@ -60,8 +56,8 @@ def _read(figure: Figure, data: Mapping[str, Any]) -> GeneticState:
     return GeneticState(
         pose=unpack_pose(figure, data["pose"]),
         base=unpack_pose(figure, data["base"]),
-        enabled=frozenset(figure.indices(data["enabled"])) & frozenset(figure.movable),
-        locks=tuple(_lock(figure, lock) for lock in data["locks"]),
+        enabled=limbs_named(figure, data["enabled"]) & frozenset(figure.movable),
+        locks=locks_listed(figure, data["locks"]),
         seed=_whole(data["seed"], 2**63),
         breeding=_breeding(data),
         generation=_whole(data["generation"], 2**63),
@@ -83,22 +79,6 @@ def _chromosome(figure: Figure, genes: Any) -> Chromosome:
     if any(len(row) != 3 for row in alleles):
         raise ValueError("a gene has not three numbers")
     return Chromosome.of(loci, alleles)  # type: ignore[arg-type]
-
-
-def _lock_fields(lock: Lock) -> dict[str, Any]:
-    return {name: list(value) if isinstance(value, tuple) else value for name, value in vars(lock).items()}
-
-
-def _lock(figure: Figure, data: Mapping[str, Any]) -> Lock:
-    fields = {name: _lock_value(figure, value) for name, value in data.items() if name != "kind"}
-    return KINDS[data["kind"]](**fields)
-
-
-def _lock_value(figure: Figure, value: Any) -> Any:
-    if isinstance(value, list):
-        x, y, z = (float(number) for number in value)
-        return (x, y, z)
-    return _whole(value, len(figure.limbs) - 1)
 
 
 def _breeding(data: Mapping[str, Any]) -> Breeding:

@@ -2,19 +2,17 @@
 
 ``hybrid:humanoid:2.1:50-root:10000:1fff:place,leftfoot,-16,-100,-30:POSE`` is page 1 of generation 2 at intensity 50,
 the body carried, goals for the limbs of the first mask, the limbs of the second enabled, one lock, round a packed
-pose. Locks are separated by ``+``. What was picked follows as the mask of its limbs and a second pose.
+pose. What was picked follows as the mask of its limbs and a second pose.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from urllib.parse import quote, unquote
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
-from layfigure.poses.lock_words import lock_words, read_lock
-from layfigure.poses.locks import Lock
+from layfigure.poses.lock_words import read_locks, write_locks
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure_plugins.hybrid.state import PAGES, Generation
 
@@ -36,7 +34,7 @@ def write_address(figure: Figure, generation: Generation, page: int) -> str:
         intensity + switches,
         f"{_mask(generation.chosen):x}",
         f"{_mask(generation.enabled):x}",
-        "+".join(_lock_text(figure, lock) for lock in generation.locks),
+        write_locks(figure, generation.locks),
         pack_pose(figure, generation.base),
     ]
     if generation.settled:
@@ -66,7 +64,7 @@ def read_address(figure: Figure, address: str) -> tuple[Generation, int]:
         intensity=_intensity(found["intensity"]),
         chosen=_limbs(figure, found["chosen"]),
         enabled=_limbs(figure, found["enabled"]) & frozenset(figure.movable),
-        locks=tuple(_read_lock(figure, text) for text in found["locks"].split("+") if text),
+        locks=read_locks(figure, found["locks"]),
         aim=found["aim"] is not None,
         root=found["root"] is not None,
         picked=unpack_pose(figure, found["picked"]) if found["picked"] else base,
@@ -84,14 +82,6 @@ def _limbs(figure: Figure, mask: str) -> frozenset[int]:
     if bits >> len(figure.limbs):
         raise ImpossibleError(f"that address names more limbs than the figure {figure.name} has")
     return frozenset(limb for limb in range(len(figure.limbs)) if bits >> limb & 1)
-
-
-def _lock_text(figure: Figure, lock: Lock) -> str:
-    return ",".join(quote(word, safe="") for word in lock_words(figure, lock))
-
-
-def _read_lock(figure: Figure, text: str) -> Lock:
-    return read_lock(figure, [unquote(word) for word in text.split(",")])
 
 
 def _intensity(text: str) -> float:

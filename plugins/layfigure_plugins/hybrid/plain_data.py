@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.poses.lock_words import lock_words, read_lock
 from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
 from layfigure_plugins.hybrid.address import read_address, write_address
 from layfigure_plugins.hybrid.state import HybridState
 
@@ -21,10 +20,10 @@ def dumped(figure: Figure, state: HybridState) -> dict[str, Any]:
         "version": VERSION,
         "seed": pack_pose(figure, state.seed),
         "page": write_address(figure, state.generation, state.page),
-        "enabled": [figure.names[limb] for limb in sorted(state.enabled)],
-        "locks": [list(lock_words(figure, lock)) for lock in state.locks],
+        "enabled": limb_names(figure, state.enabled),
+        "locks": lock_lists(figure, state.locks),
         "intensity": state.intensity,
-        "chosen": [figure.names[limb] for limb in sorted(state.chosen)],
+        "chosen": limb_names(figure, state.chosen),
         "aim": state.aim,
         "root": state.root,
     }
@@ -36,23 +35,19 @@ def loaded(figure: Figure, data: Mapping[str, Any]) -> HybridState:
     Raises:
         LayfigureError: another version, another figure, or damaged data.
     """
-    if data.get("version") != VERSION:
-        raise LayfigureError(f"the hybrid technique reads states of version {VERSION}, not {data.get('version')!r}")
-    try:
+    with reading("the hybrid technique", data, VERSION):
         generation, page = read_address(figure, data["page"])
         return HybridState(
             seed=unpack_pose(figure, data["seed"]),
             generation=generation,
-            enabled=frozenset(figure.indices(data["enabled"])),
-            locks=tuple(read_lock(figure, words) for words in data["locks"]),
+            enabled=limbs_named(figure, data["enabled"]),
+            locks=locks_listed(figure, data["locks"]),
             page=page,
             intensity=_intensity(data["intensity"]),
-            chosen=frozenset(figure.indices(data["chosen"])),
+            chosen=limbs_named(figure, data["chosen"]),
             aim=_switch(data["aim"]),
             root=None if data["root"] is None else _switch(data["root"]),
         )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise LayfigureError(f"the state is damaged ({error}); start the technique again") from None
 
 
 def _intensity(value: Any) -> float:

@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.drawing.marks import Mark
-from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import limb_begins, limb_ends, place_pose
 from layfigure.kinematics.measures import body_height
-from layfigure.poses.lock_words import lock_words, read_lock
 from layfigure.poses.locks import DEGREES, TOLERANCE, Lock, Pin, broken, tips_of
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
@@ -30,6 +29,7 @@ from layfigure.techniques.contract import (
     Setting,
 )
 from layfigure.techniques.keeping import CARE, tasks_of
+from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
 from layfigure.techniques.solving import DirectionTask, PositionTask, Problem, Solution, Task, chain_of
 from layfigure_plugins.inverse.chains import Following, following
 
@@ -134,8 +134,8 @@ class Inverse:
         return {
             "version": VERSION,
             "pose": pack_pose(self.figure, state.pose),
-            "enabled": [self.figure.names[limb] for limb in sorted(state.enabled)],
-            "locks": [list(lock_words(self.figure, lock)) for lock in state.locks],
+            "enabled": limb_names(self.figure, state.enabled),
+            "locks": lock_lists(self.figure, state.locks),
             "chain": state.chain,
             "solver": state.solver,
             "aim": state.aim,
@@ -147,19 +147,15 @@ class Inverse:
         Raises:
             LayfigureError: another version, another figure, or damaged data.
         """
-        if data.get("version") != VERSION:
-            raise LayfigureError(f"inverse kinematics reads states of version {VERSION}, not {data.get('version')!r}")
-        try:
+        with reading("inverse kinematics", data, VERSION):
             return InverseState(
                 unpack_pose(self.figure, data["pose"]),
-                frozenset(self.figure.indices(data["enabled"])),
-                tuple(read_lock(self.figure, words) for words in data["locks"]),
+                limbs_named(self.figure, data["enabled"]),
+                locks_listed(self.figure, data["locks"]),
                 _chain(data["chain"]),
                 _known(data["solver"]),
                 bool(data["aim"]),
             )
-        except (KeyError, TypeError, AttributeError) as error:
-            raise LayfigureError(f"the state is damaged ({error}); start the technique again") from None
 
     def _moved(self, state: InverseState, goal: Goal) -> InverseState:
         self._check(state, goal)

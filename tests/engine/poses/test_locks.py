@@ -11,7 +11,7 @@ from layfigure.errors import LayfigureError
 from layfigure.figures.library import load_figure
 from layfigure.kinematics.measures import body_height
 from layfigure.kinematics.rotation_vector import rotation_matrix, rotation_vector
-from layfigure.poses.lock_words import lock_words, read_lock
+from layfigure.poses.lock_words import lock_words, read_lock, read_locks, write_locks
 from layfigure.poses.locks import (
     KINDS,
     Band,
@@ -58,6 +58,12 @@ BENT = posed(spine=(-20, 10, 15), leftupperarm=(40, 50, 10), leftforearm=(70, 0,
 @given(locks)
 def test_a_lock_survives_its_words(lock):
     assert read_lock(HUMANOID, lock_words(HUMANOID, lock)) == lock
+
+
+@given(st.lists(locks, max_size=4))
+def test_locks_survive_being_one_word(listed):
+    word = write_locks(HUMANOID, listed)
+    assert not set(" :\n") & set(word) and read_locks(HUMANOID, word) == tuple(listed)
 
 
 @given(st.lists(locks, max_size=6))
