@@ -28,7 +28,7 @@ from layfigure.techniques.solving import (
     Problem,
     SolverObject,
     Task,
-    Vector,
+    rows,
 )
 
 CARE = 0.2
@@ -36,6 +36,9 @@ CARE = 0.2
 
 PULL = 0.05
 """The weight of a rubber band beside a must."""
+
+Keep = Callable[[Sequence[Pose], Sequence[Lock], frozenset[int]], tuple[Kept, ...]]
+"""Brings poses back to their locks by turning some limbs: :meth:`layfigure.techniques.contract.Bench.keep`."""
 
 
 def tasks_of(locks: Iterable[Lock]) -> tuple[Task, ...]:
@@ -52,9 +55,7 @@ def _task(lock: Pin | PinOrientation | Band | Hold) -> Task:
         case Hold(limb, other, offset):
             return OffsetTask(limb, other, offset)
         case PinOrientation(limb, turn):
-            first, second, third = rotation_matrix(turn).tolist()
-            rows: tuple[Vector, Vector, Vector] = (tuple(first), tuple(second), tuple(third))
-            return OrientationTask(limb, rows)
+            return OrientationTask(limb, rows(rotation_matrix(turn)))
 
 
 def lock_problem(figure: Figure, locks: Sequence[Lock], movable: frozenset[int], tasks: Sequence[Task] = ()) -> Problem:
@@ -67,8 +68,13 @@ def lock_problem(figure: Figure, locks: Sequence[Lock], movable: frozenset[int],
     still = locked_joints(locks)
     anchored = len(asked) > len(tasks) and 0 not in still
     free = movable - still if anchored else movable - still - {0}
+    return careful_problem(figure, asked, free, root_moves=anchored)
+
+
+def careful_problem(figure: Figure, tasks: Sequence[Task], movable: frozenset[int], *, root_moves: bool) -> Problem:
+    """Return a problem with tolerances well inside what locks allow."""
     allowed = TOLERANCE * CARE * body_height(figure)
-    return Problem(asked, free, root_moves=anchored, tolerance=allowed, degrees=DEGREES * CARE)
+    return Problem(tuple(tasks), movable, root_moves=root_moves, tolerance=allowed, degrees=DEGREES * CARE)
 
 
 def keep(
@@ -90,6 +96,24 @@ def keep(
         solution = solver().solve(pose, problem)
         answer.append(Kept(solution.pose, not broken(figure, solution.pose, locks)))
     return tuple(answer)
+
+
+def keep_in_turn(
+    bring_back: Keep, poses: Sequence[Pose], locks: Sequence[Lock], turns: Sequence[frozenset[int]]
+) -> tuple[Kept, ...]:
+    """Return poses brought back to locks by the first set of limbs in ``turns`` that can, else by the last.
+
+    Raises:
+        ImpossibleError: no solver is in service.
+    """
+    answers = [Kept(pose, met=False) for pose in poses]
+    for movable in dict.fromkeys(turns):
+        left = [place for place, answer in enumerate(answers) if not answer.met]
+        if not left:
+            break
+        for place, answer in zip(left, bring_back([poses[place] for place in left], locks, movable), strict=True):
+            answers[place] = answer
+    return tuple(answers)
 
 
 def _pulled(locks: Iterable[Lock]) -> bool:

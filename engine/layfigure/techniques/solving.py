@@ -130,3 +130,15 @@ def chain_of(figure: Figure, limb: int, length: int) -> frozenset[int]:
             chain.append(limb)
         limb = figure.limbs[limb].parent
     return frozenset(chain)
+
+
+def vector(values: NDArray[np.float64]) -> Vector:
+    """Return an array (3,) as a task holds it."""
+    x, y, z = values.tolist()
+    return (x, y, z)
+
+
+def rows(matrix: NDArray[np.float64]) -> tuple[Vector, Vector, Vector]:
+    """Return a matrix (3, 3) as a task holds it: three rows."""
+    first, second, third = matrix
+    return (vector(first), vector(second), vector(third))

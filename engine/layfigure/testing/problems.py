@@ -21,8 +21,9 @@ from layfigure.techniques.solving import (
     PositionTask,
     Problem,
     Task,
-    Vector,
     chain_of,
+    rows,
+    vector,
 )
 from layfigure.testing.scenes import legal_pose
 
@@ -100,15 +101,3 @@ def absurd_problems(figure: Figure, pose: Pose) -> Iterator[Problem]:
     origin = vector(place_pose(figure, pose).origins[limb])
     yield Problem((PositionTask(limb, origin),), everything)
     yield Problem((DirectionTask(limb, (0.0, 0.0, 0.0)),), everything)
-
-
-def vector(values: Floats) -> Vector:
-    """Return an array (3,) as a tuple."""
-    x, y, z = values.tolist()
-    return (x, y, z)
-
-
-def rows(matrix: Floats) -> tuple[Vector, Vector, Vector]:
-    """Return a matrix (3, 3) as three rows."""
-    first, second, third = matrix
-    return (vector(first), vector(second), vector(third))

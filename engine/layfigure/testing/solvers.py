@@ -20,9 +20,9 @@ from layfigure.kinematics.measures import body_height
 from layfigure.plugins.records import Solver
 from layfigure.poses.locks import tips_of
 from layfigure.poses.pose import Pose
-from layfigure.techniques.solving import PositionTask, Problem, Solution, SolverObject, Task
+from layfigure.techniques.solving import PositionTask, Problem, Solution, SolverObject, Task, vector
 from layfigure.testing.fingerprint import fingerprint, pose_print
-from layfigure.testing.problems import absurd_problems, allowed_error, is_angle, problems, true_errors, vector
+from layfigure.testing.problems import absurd_problems, allowed_error, is_angle, problems, true_errors
 from layfigure.testing.scenes import legal_pose, outside_limits
 
 _SLACK = 1e-5

@@ -8,7 +8,8 @@ import numpy as np
 
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
-from layfigure_plugins.generator.choosing import TRIES, Choice, Keep, choose
+from layfigure.techniques.keeping import Keep
+from layfigure_plugins.generator.choosing import TRIES, Choice, choose
 from layfigure_plugins.generator.conditions import LIMITS, ORDERED
 from layfigure_plugins.generator.state import GeneratorState, mutated
 from layfigure_plugins.generator.stream import ROUND

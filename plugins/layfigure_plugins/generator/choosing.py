@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from layfigure.figures.figure import Figure
-from layfigure.poses.locks import Lock
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import Kept
+from layfigure.techniques.keeping import Keep, keep_in_turn
 from layfigure_plugins.generator.conditions import APART
 from layfigure_plugins.generator.filters import REASONS, failures, floor_under
 from layfigure_plugins.generator.spread import far_apart
 from layfigure_plugins.generator.state import PAGE_SIZE, Generation
 from layfigure_plugins.generator.stream import Stream
-
-Keep = Callable[[Sequence[Pose], Sequence[Lock], frozenset[int]], tuple[Kept, ...]]
-"""Brings poses back to their locks by turning some limbs: :meth:`layfigure.techniques.contract.Bench.keep`."""
 
 TRIES = 45
 """How many candidates of the stream a page may try; twice as many where no locks have to be kept, which is cheap."""
@@ -101,32 +98,18 @@ def _verdicts(figure: Figure, generation: Generation, poses: Sequence[Pose], kee
     if not poses:
         return []
     conditions = generation.conditions
-    kept = brought_back(poses, generation, keep) if conditions.locks else [Kept(pose, met=True) for pose in poses]
+    kept = brought_back(poses, generation, keep) if conditions.locks else tuple(Kept(pose, met=True) for pose in poses)
     floor = floor_under(figure, generation.base, conditions.locks)
     shapes = [answer.pose for answer in kept]
     reasons = failures(figure, shapes, conditions.tests, floor) if conditions.tests else [""] * len(shapes)
     return [(answer.pose, reason if answer.met else _OFF) for answer, reason in zip(kept, reasons, strict=True)]
 
 
-def brought_back(poses: Sequence[Pose], generation: Generation, keep: Keep) -> list[Kept]:
+def brought_back(poses: Sequence[Pose], generation: Generation, keep: Keep) -> tuple[Kept, ...]:
     """Return poses that keep the generation's locks: what was picked stays as picked where the locks allow it."""
     conditions = generation.conditions
     picked = conditions.free - generation.enabled - {limb for limb, _ in generation.varied}
-    return kept_in_turn(poses, conditions.locks, (conditions.free - picked, conditions.free), keep)
-
-
-def kept_in_turn(
-    poses: Sequence[Pose], locks: Sequence[Lock], turns: Sequence[frozenset[int]], keep: Keep
-) -> list[Kept]:
-    """Return poses brought back to locks by the first set of limbs in ``turns`` that can."""
-    answers = [Kept(pose, met=False) for pose in poses]
-    for movable in dict.fromkeys(turns):
-        open_ = [place for place, answer in enumerate(answers) if not answer.met]
-        if not open_:
-            break
-        for place, answer in zip(open_, keep([poses[place] for place in open_], locks, movable), strict=True):
-            answers[place] = answer
-    return answers
+    return keep_in_turn(keep, poses, conditions.locks, (conditions.free - picked, conditions.free))
 
 
 def told(choice: Choice) -> str:

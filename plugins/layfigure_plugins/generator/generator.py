@@ -8,7 +8,7 @@ from typing import Any
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
-from layfigure.poses.locks import JointLock, broken, locked_joints
+from layfigure.poses.locks import broken, locked_joints
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import (
     Bench,
@@ -22,10 +22,10 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
+from layfigure.techniques.keeping import keep_in_turn
 from layfigure_plugins.generator.address import read_address, write_address
 from layfigure_plugins.generator.alternatives import SWING, TWIST
 from layfigure_plugins.generator.breath import variants
-from layfigure_plugins.generator.choosing import kept_in_turn
 from layfigure_plugins.generator.conditions import APART, FILTERS, ORDERED
 from layfigure_plugins.generator.cones import cones
 from layfigure_plugins.generator.page import Page, Pages
@@ -46,7 +46,7 @@ class Generator:
     @staticmethod
     def on(bench: Bench) -> Generator:
         """Return a generator for the bench's figure; its option ``thesis_start`` leaves the first M to the user."""
-        pages = Pages(bench.figure, lambda poses, locks, movable: bench.keep(poses, locks, movable))
+        pages = Pages(bench.figure, bench.keep)
         return Generator(bench, not bench.option("thesis_start", False), pages)
 
     @property
@@ -159,11 +159,11 @@ class Generator:
             ImpossibleError: with these limbs the locks cannot be kept.
         """
         seed = state.seed.with_joints_of(source, sorted(limbs))
-        if all(isinstance(lock, JointLock) for lock in state.locks) or not broken(self.figure, seed, state.locks):
+        if not broken(self.figure, seed, state.locks):
             return seed
         settled = state.free - state.generation.enabled - {limb for limb, _ in state.generation.varied}
         turns = [state.free - settled - limbs, state.free - limbs, state.free]
-        (kept,) = kept_in_turn([seed], state.locks, turns, self.bench.keep)
+        (kept,) = keep_in_turn(self.bench.keep, [seed], state.locks, turns)
         if not kept.met:
             raise ImpossibleError("with that the locks cannot be kept; nothing was taken")
         return kept.pose

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
+from layfigure.techniques.keeping import Keep
 from layfigure_plugins.generator.alternatives import SWING, Rule, varying_columns
-from layfigure_plugins.generator.choosing import Choice, Keep, choose, told
+from layfigure_plugins.generator.choosing import Choice, choose, told
 from layfigure_plugins.generator.state import PAGE_SIZE, Generation
 from layfigure_plugins.generator.stream import Stream
 

@@ -24,7 +24,7 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
-from layfigure.techniques.solving import chain_of
+from layfigure.techniques.solving import chain_of, vector
 from layfigure_plugins.hybrid.address import read_address, write_address
 from layfigure_plugins.hybrid.ends import chains_with, effectors, placed
 from layfigure_plugins.hybrid.page import Page, Pages, brought_back
@@ -137,8 +137,7 @@ class Hybrid:
         """Yield a goal's sign on every end that the next generation moves."""
         tips = tips_of(self.figure, place_pose(self.figure, state.seed))
         for limb in self._effectors(state):
-            x, y, z = tips[limb].tolist()
-            yield Mark("goal", ((x, y, z),))
+            yield Mark("goal", (vector(tips[limb]),))
 
     # --- choosing ---------------------------------------------------------------------------------------------------
 

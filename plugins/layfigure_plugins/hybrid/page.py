@@ -16,6 +16,7 @@ from layfigure.kinematics.measures import body_height
 from layfigure.poses.locks import JointLock, Lock, broken
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import Bench, Kept
+from layfigure.techniques.keeping import keep_in_turn
 from layfigure.techniques.spreading import far_apart
 from layfigure_plugins.hybrid.directions import ROUND
 from layfigure_plugins.hybrid.proposals import Proposals
@@ -137,12 +138,10 @@ def brought_back(bench: Bench, pose: Pose, locks: tuple[Lock, ...], turns: Seque
     Raises:
         ImpossibleError: it has to be brought back, and no solver is in service.
     """
-    answer = Kept(pose, not broken(bench.figure, pose, locks))
-    for movable in dict.fromkeys(turns):
-        if answer.met:
-            break
-        (answer,) = bench.keep((pose,), locks, movable)
-    return answer
+    if not broken(bench.figure, pose, locks):
+        return Kept(pose, met=True)
+    (kept,) = keep_in_turn(bench.keep, (pose,), locks, turns)
+    return kept
 
 
 def _all_locks(generation: Generation) -> tuple[Lock, ...]:

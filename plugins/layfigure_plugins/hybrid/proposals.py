@@ -9,19 +9,19 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import place_pose
-from layfigure.kinematics.measures import body_height
-from layfigure.poses.locks import DEGREES, TOLERANCE, Lock, Pin
+from layfigure.poses.locks import Lock, Pin
 from layfigure.poses.pose import Pose
 from layfigure.techniques.chains import following
-from layfigure.techniques.keeping import CARE, tasks_of
+from layfigure.techniques.keeping import careful_problem, tasks_of
 from layfigure.techniques.solving import (
     DirectionTask,
     OrientationTask,
     PositionTask,
     Problem,
     Task,
-    Vector,
     chain_of,
+    rows,
+    vector,
 )
 from layfigure_plugins.hybrid.ends import effectors
 from layfigure_plugins.hybrid.reaching import Body, End, body_at, ends_at
@@ -63,13 +63,8 @@ class Proposals:
         root = frozenset({0}) if generation.root else frozenset[int]()
         limbs, locks = following(figure, moving | root, generation.locks, carried=generation.root)
         held = _held(locks) if generation.root else ()
-        problem = Problem(
-            (*_steady(figure, pose, held), *tasks_of(locks)),
-            limbs & generation.free,
-            root_moves=generation.root,
-            tolerance=TOLERANCE * CARE * body_height(figure),
-            degrees=DEGREES * CARE,
-        )
+        tasks = (*_steady(figure, pose, held), *tasks_of(locks))
+        problem = careful_problem(figure, tasks, limbs & generation.free, root_moves=generation.root)
         return Proposals(
             problem=problem,
             ends=ends_at(figure, pose, ends),
@@ -90,11 +85,11 @@ class Proposals:
         if self.body is not None:
             goal = self.body.goal(number, self.intensity)
             carried = goal - self.body.origin
-            tasks.append(PositionTask(0, _vector(goal), BODY))
+            tasks.append(PositionTask(0, vector(goal), BODY))
         for end in self.ends:
-            tasks.append(PositionTask(end.limb, _vector(end.goal(number, self.intensity, carried)), YIELDING))
+            tasks.append(PositionTask(end.limb, vector(end.goal(number, self.intensity, carried)), YIELDING))
             if self.aim and end.along.any():
-                tasks.append(DirectionTask(end.limb, _vector(end.aim(number, self.intensity)), AIMING))
+                tasks.append(DirectionTask(end.limb, vector(end.aim(number, self.intensity)), AIMING))
         return replace(self.problem, tasks=(*tasks, *self.problem.tasks))
 
 
@@ -107,14 +102,4 @@ def _steady(figure: Figure, pose: Pose, held: tuple[int, ...]) -> tuple[Task, ..
     """Return the wish that pinned ends, and the body they carry, keep their orientation."""
     turns = place_pose(figure, pose).limb_to_world
     limbs = (0, *held) if held else ()
-    return tuple(OrientationTask(limb, _rows(turns[limb]), STEADY) for limb in limbs)
-
-
-def _rows(matrix: Floats) -> tuple[Vector, Vector, Vector]:
-    first, second, third = matrix
-    return (_vector(first), _vector(second), _vector(third))
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = values.tolist()
-    return (x, y, z)
+    return tuple(OrientationTask(limb, rows(turns[limb]), STEADY) for limb in limbs)

@@ -14,7 +14,7 @@ from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import limb_begins, limb_ends, place_pose
 from layfigure.kinematics.measures import body_height
-from layfigure.poses.locks import DEGREES, TOLERANCE, Lock, Pin, broken, tips_of
+from layfigure.poses.locks import Lock, Pin, broken, tips_of
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import (
@@ -28,9 +28,9 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
-from layfigure.techniques.keeping import CARE, tasks_of
+from layfigure.techniques.keeping import careful_problem, tasks_of
 from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
-from layfigure.techniques.solving import DirectionTask, PositionTask, Problem, Solution, Task, chain_of
+from layfigure.techniques.solving import DirectionTask, PositionTask, Problem, Solution, Task, chain_of, vector
 from layfigure_plugins.inverse.chains import Following, following
 
 VERSION = 1
@@ -216,8 +216,8 @@ class Inverse:
         for _ in range(MOST_STRIDES):
             if left <= PRECISION * height or stuck > PATIENCE:
                 break
-            x, y, z = (tip + (wanted - tip) * min(1.0, stride / left)).tolist()
-            problem = self._problem(state, replace(goal, position=(x, y, z)), follow, 1.0)
+            near = vector(tip + (wanted - tip) * min(1.0, stride / left))
+            problem = self._problem(state, replace(goal, position=near), follow, 1.0)
             stepped = solver.step(solution.pose, problem, solution.memory)
             pose = self._mended(state, stepped.pose, follow)
             tip = self._tip(pose, goal.limb)
@@ -230,21 +230,15 @@ class Inverse:
         """Return the pose with its locks met again where the last stride has used up half of what they allow."""
         if not broken(self.figure, pose, follow.locks, MENDED):
             return pose
-        problem = replace(self._problem(state, None, follow, 1.0), tasks=tasks_of(follow.locks))
-        return self.bench.solver(state.solver).solve(pose, problem).pose
+        return self.bench.solver(state.solver).solve(pose, self._problem(state, None, follow, 1.0)).pose
 
     def _problem(self, state: InverseState, goal: Goal | None, follow: Following, weight: float) -> Problem:
         tasks: tuple[Task, ...] = (PositionTask(goal.limb, goal.position, weight),) if goal else ()
         if goal and state.aim and self.figure.limbs[goal.limb].length:
             tasks += (DirectionTask(goal.limb, self._direction(state.pose, goal.limb), YIELDING / 2),)
-        height = body_height(self.figure)
-        return Problem(
-            (*tasks, *tasks_of(follow.locks)),
-            follow.movable,
-            root_moves=follow.root_moves,
-            tolerance=(TOLERANCE * CARE if follow.locks else PRECISION) * height,
-            degrees=DEGREES * CARE,
-        )
+        tasks = (*tasks, *tasks_of(follow.locks))
+        problem = careful_problem(self.figure, tasks, follow.movable, root_moves=follow.root_moves)
+        return problem if follow.locks else replace(problem, tolerance=PRECISION * body_height(self.figure))
 
     def _tip(self, pose: Pose, limb: int) -> NDArray[np.float64]:
         return np.asarray(tips_of(self.figure, place_pose(self.figure, pose))[limb])
@@ -252,8 +246,7 @@ class Inverse:
     def _direction(self, pose: Pose, limb: int) -> tuple[float, float, float]:
         placement = place_pose(self.figure, pose)
         along = limb_ends(self.figure, placement)[limb] - limb_begins(self.figure, placement)[limb]
-        x, y, z = (along / np.linalg.norm(along)).tolist()
-        return (x, y, z)
+        return vector(along / np.linalg.norm(along))
 
     def _marks(self, state: InverseState) -> Iterator[Mark]:
         """Yield the chain that moved last as a line through its joints, and a goal that could not be reached."""
@@ -261,11 +254,11 @@ class Inverse:
             return
         placement = place_pose(self.figure, state.pose)
         joints = sorted(chain_of(self.figure, state.limb, state.chain))
-        points = [*placement.origins[joints].tolist(), tips_of(self.figure, placement)[state.limb].tolist()]
-        yield Mark("chain", tuple((x, y, z) for x, y, z in points))
+        points = [*placement.origins[joints], tips_of(self.figure, placement)[state.limb]]
+        yield Mark("chain", tuple(map(vector, points)))
         if state.goal is not None:
             yield Mark("goal", (state.goal,))
-            yield Mark("goal", (tuple(points[-1]), state.goal))
+            yield Mark("goal", (vector(points[-1]), state.goal))
 
 
 def _controlled(state: InverseState, name: str, value: object) -> InverseState:
