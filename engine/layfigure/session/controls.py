@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from layfigure.plugins.records import Command
-from layfigure.session.words import WordError, no_more, number, one_of
+from layfigure.session.words import WordError, no_more, number, one_of, switched
 from layfigure.techniques.contract import Action, Choice, Control, Controls, Slider, Toggle
 
 if TYPE_CHECKING:
@@ -71,14 +71,9 @@ def _choice(control: Choice) -> Command:
 
 def _toggle(control: Toggle) -> Command:
     def run(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
-        no_more(words, 1)
-        on = one_of(words, 0, "switch", ("on", "off")) == "on" if words else not _is_on(session, control)
+        on = switched(words, lambda: session.offer().values.get(control.name) is True)
         word = "on" if on else "off"
         session.tell(f"{control.title}: {word}", Control(control.name, on))
         return (word,)
 
     return Command(control.name, control.title, run, usage="[on|off]", logged=True)
-
-
-def _is_on(session: Session, control: Toggle) -> bool:
-    return session.offer().values.get(control.name) is True

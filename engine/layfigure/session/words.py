@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from layfigure.errors import LayfigureError
@@ -123,6 +123,16 @@ def one_of(words: tuple[str, ...], index: int, what: str, options: Iterable[str]
         hint = did_you_mean(word, known)
         raise WordError(index + 1, f'there is no {what} "{word[:40]}"; it can be {listing}{hint}')
     return word
+
+
+def switched(words: tuple[str, ...], present: Callable[[], bool]) -> bool:
+    """Return what a word that may be there, "on" or "off", switches something to; without it, what is not ``present``.
+
+    Raises:
+        WordError: it is another word, or there are more.
+    """
+    no_more(words, 1)
+    return one_of(words, 0, "switch", ("on", "off")) == "on" if words else not present()
 
 
 def no_more(words: tuple[str, ...], count: int) -> None:

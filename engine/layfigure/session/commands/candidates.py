@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from layfigure.drawing.render_list import Rectangle
-from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
+from layfigure.session.commands.arguments import limbs, rectangle
 from layfigure.session.describing import listed_limbs
-from layfigure.session.words import WordError, join_line, no_more, number, one_of, required, whole_number
+from layfigure.session.words import join_line, no_more, one_of, whole_number
 from layfigure.techniques.contract import Best, Grade, LimbPick
 
 if TYPE_CHECKING:
@@ -31,36 +31,6 @@ def _count(session: Session) -> int:
     if not count:
         raise ImpossibleError("there are no candidates to choose from here")
     return count
-
-
-def limbs(session: Session, words: tuple[str, ...], first: int) -> tuple[int, ...]:
-    """Return the limbs that the words from ``first`` name; "all" means every movable limb.
-
-    Raises:
-        WordError: a name is unknown or none is given.
-    """
-    figure = session.document.figure
-    required(words, first, "a limb's name")
-    if words[first:] == ("all",):
-        return figure.movable
-    found = []
-    for index, word in enumerate(words[first:], start=first):
-        try:
-            found.append(figure.index(word))
-        except LayfigureError as error:
-            raise WordError(index + 1, str(error)) from None
-    return tuple(dict.fromkeys(found))
-
-
-def one_limb(session: Session, words: tuple[str, ...], index: int) -> int:
-    """Return the limb that word ``index`` names.
-
-    Raises:
-        WordError: it is missing, unknown, or "all".
-    """
-    if required(words, index, "a limb's name") == "all":
-        raise WordError(index + 1, "one limb is wanted here, not all of them")
-    return limbs(session, words[: index + 1], index)[0]
 
 
 def _pick(session: Session, words: tuple[str, ...]) -> None:
@@ -152,19 +122,6 @@ def _pick_in(session: Session, words: tuple[str, ...]) -> None:
     names = [session.document.figure.names[limb] for limb in chosen]
     head = [str(shown + 1)] if how == "plain" else [str(shown + 1), how]
     session.execute(join_line("pick" if how == "plain" else "vary", [*head, *names]))
-
-
-def rectangle(words: tuple[str, ...]) -> tuple[int, str, Rectangle]:
-    """Return candidate, view and pixel rectangle from six words.
-
-    Raises:
-        WordError: a word is missing or wrong.
-    """
-    shown = whole_number(words, 0, "a candidate", (-2, 10_000))
-    view = one_of(words, 1, "view", ("main", "right", "top"))
-    sides = [round(number(words, index, "a pixel coordinate")) for index in range(2, 6)]
-    no_more(words, 6)
-    return shown, view, Rectangle(*sides)
 
 
 def _use(session: Session, words: tuple[str, ...]) -> None:

@@ -9,13 +9,13 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import locked_joints
-from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.packing import pack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import MAXIMUM_POSE_BYTES, read_joints, write_pose
 from layfigure.poses.symmetry import mirrored_joints
-from layfigure.session.commands.candidates import limbs
+from layfigure.session.commands.arguments import limbs, packed_pose
 from layfigure.session.describing import listed_limbs, spoken_limb
-from layfigure.session.words import WordError, join_line, no_more, required
+from layfigure.session.words import WordError, join_line, no_more
 from layfigure.techniques.contract import PoseSet
 
 if TYPE_CHECKING:
@@ -103,11 +103,7 @@ def _put(session: Session, joints: Joints) -> None:
 
 
 def _joints(session: Session, words: tuple[str, ...]) -> None:
-    figure, token = session.document.figure, required(words, 0, "a packed pose")
-    try:
-        source = unpack_pose(figure, token)
-    except LayfigureError as error:
-        raise WordError(1, str(error)) from None
+    figure, source = session.document.figure, packed_pose(session, words, 0)
     chosen = limbs(session, words, 1)
     for index, limb in enumerate(chosen, start=2):
         if limb not in figure.selectable:

@@ -8,7 +8,8 @@ from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.poses.difference import Difference, difference
 from layfigure.poses.pose import Pose
-from layfigure.session.commands.files import figure_and_pose, named_file
+from layfigure.session.commands.arguments import named_file
+from layfigure.session.commands.files import figure_and_pose
 from layfigure.session.commands.slots import pose_in, slot_number
 from layfigure.session.describing import spoken_limb
 from layfigure.session.figures import reference_to

@@ -13,6 +13,7 @@ from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose, save_pose
 from layfigure.poses.pose_set import MAXIMUM_POSES, load_poses, save_poses
+from layfigure.session.commands.arguments import named_file
 from layfigure.session.commands.pose import pose_line
 from layfigure.session.figures import reference_to
 from layfigure.session.picture_file import save_sheet
@@ -66,21 +67,6 @@ def breathing(session: Session, count: int, intensity: float) -> tuple[Pose, ...
     if not found:
         raise ImpossibleError("this pose has no such variants; try a higher intensity, or free some limbs")
     return (session.document.pose, *found)
-
-
-def named_file(session: Session, name: str) -> Path:
-    """Return the file that a person names, beside the session's others; ``~`` stands for a home folder.
-
-    Raises:
-        FileError: that cannot be the name of a file.
-    """
-    try:
-        path = Path(name).expanduser()
-    except RuntimeError:
-        raise FileError(f"{name[:60]}: there is no such home folder; write the whole path") from None
-    if path.name in ("", ".."):
-        raise FileError(f'"{name[:60]}" is a folder; name a file inside it')
-    return session.options.folder / path
 
 
 def _save_path(session: Session, name: str) -> Path:

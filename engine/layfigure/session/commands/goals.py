@@ -6,16 +6,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.errors import ImpossibleError
 from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.records import Command
 from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import rounded, tips_of
-from layfigure.poses.packing import unpack_pose
-from layfigure.session.commands.candidates import one_limb
+from layfigure.session.commands.arguments import one_limb, packed_pose, selected
 from layfigure.session.describing import spoken_limb
 from layfigure.session.lock_keeping import changed_limbs
-from layfigure.session.words import WordError, join_line, no_more, number, required, whole_number
+from layfigure.session.words import WordError, join_line, no_more, number, whole_number
 from layfigure.techniques.contract import Goal, PoseSet
 
 if TYPE_CHECKING:
@@ -57,12 +56,8 @@ def _follow(session: Session, words: tuple[str, ...]) -> None:
 
 def _dragged(session: Session, words: tuple[str, ...]) -> None:
     limb = one_limb(session, words, 0)
-    token = required(words, 1, "a packed pose")
+    pose = packed_pose(session, words, 1)
     no_more(words, 2)
-    try:
-        pose = unpack_pose(session.document.figure, token)
-    except LayfigureError as error:
-        raise WordError(2, str(error)) from None
     changed = tuple(sorted(changed_limbs(session.document.pose, pose)))
     title = f"drag {spoken_limb(session.document.figure, limb)}"
     session.set_pose(title, PoseSet(pose, limbs=changed), settled=True)
@@ -72,9 +67,7 @@ def _move(session: Session, words: tuple[str, ...]) -> None:
     steps = np.array([number(words, index, "figure units") for index in (0, 1, 2)])
     no_more(words, 3)
     _check_takes_goals(session)
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    figure, limb = session.document.figure, session.view.selected[-1]
+    figure, limb = session.document.figure, selected(session)[-1]
     tip = tips_of(figure, place_pose(figure, session.document.pose))[limb]
     right, up, away = np.array(session.view.camera.rotation)
     goal = tip + steps[0] * right + steps[1] * up + steps[2] * away

@@ -12,7 +12,7 @@ from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
-from layfigure.session.commands.files import named_file
+from layfigure.session.commands.arguments import named_file, selected
 from layfigure.session.commands.slots import ask_recall, ask_store
 from layfigure.session.describing import allowed_angles, spoken_limb
 from layfigure.session.keymap import spoken
@@ -77,9 +77,7 @@ def _ask(session: Session, words: tuple[str, ...]) -> None:
 
 def _numbers(session: Session, name: str) -> PaletteMode:
     """Return a prompt for the numbers of the selected limb, with the present ones typed already."""
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    figure, pose, limb = session.document.figure, session.document.pose, session.view.selected[-1]
+    figure, pose, limb = session.document.figure, session.document.pose, selected(session)[-1]
     if name == "set":
         kinds = [kind for kind in DOF_KINDS if not limb or figure.limbs[limb].dof(kind)]
         values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
-from layfigure.session.commands.candidates import limbs, rectangle
+from layfigure.session.commands.arguments import limbs, rectangle, selected
 from layfigure.session.describing import spoken_limb
 from layfigure.session.words import join_line, no_more, one_of, required
 
@@ -26,11 +26,11 @@ def _select_none(session: Session, words: tuple[str, ...]) -> None:
 
 def _step(session: Session, by: int) -> None:
     order = session.document.figure.selectable
-    selected = session.view.selected
-    if not selected:
+    present = session.view.selected
+    if not present:
         _show(session, (order[1 if by > 0 and len(order) > 1 else -1],))
     else:
-        position = order.index(selected[-1]) if selected[-1] in order else 0
+        position = order.index(present[-1]) if present[-1] in order else 0
         _show(session, (order[(position + by) % len(order)],))
 
 
@@ -46,7 +46,7 @@ def _previous(session: Session, words: tuple[str, ...]) -> None:
 
 def _parent(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    figure, limb = session.document.figure, _selected(session)
+    figure, limb = session.document.figure, selected(session)[-1]
     above = figure.limbs[limb].parent
     while above > 0 and not figure.limbs[above].movable:
         above = figure.limbs[above].parent
@@ -57,7 +57,7 @@ def _parent(session: Session, words: tuple[str, ...]) -> None:
 
 def _child(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    figure, limb = session.document.figure, _selected(session)
+    figure, limb = session.document.figure, selected(session)[-1]
     below = sorted(figure.subtree(limb) - {limb})
     movable = [index for index in below if figure.limbs[index].movable]
     if not movable:
@@ -67,28 +67,24 @@ def _child(session: Session, words: tuple[str, ...]) -> None:
 
 def _opposite(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    figure, last = session.document.figure, _selected(session)
-    twins = tuple(figure.limbs[limb].twin for limb in session.view.selected)
-    if twins == session.view.selected:
-        raise ImpossibleError(f"the {spoken_limb(figure, last)} has no mirror twin")
+    figure, chosen = session.document.figure, selected(session)
+    twins = tuple(figure.limbs[limb].twin for limb in chosen)
+    if twins == chosen:
+        raise ImpossibleError(f"the {spoken_limb(figure, chosen[-1])} has no mirror twin")
     _show(session, twins)
 
 
 def _with_selected(session: Session, words: tuple[str, ...]) -> None:
     """Make of the selection command lines that can be logged: each limb's name is the last word of one."""
     name = required(words, 0, "a command")
-    figure, chosen = session.document.figure, session.view.selected
-    if not chosen:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    for limb in chosen:
-        session.execute(join_line(name, [*words[1:], figure.names[limb]]))
+    names = session.document.figure.names
+    for limb in selected(session):
+        session.execute(join_line(name, [*words[1:], names[limb]]))
 
 
 def _toggle(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
-    chosen = session.view.selected
-    if not chosen:
-        raise ImpossibleError("no limb is selected; Tab selects one")
+    chosen = selected(session)
     names = [session.document.figure.names[limb] for limb in chosen]
     verb = "disable" if session.document.enabled.issuperset(chosen) else "enable"
     session.execute(join_line(verb, names))
@@ -124,9 +120,9 @@ def _select_in(session: Session, words: tuple[str, ...]) -> None:
 
 def _select_more(session: Session, words: tuple[str, ...]) -> None:
     """Add limbs to the selection, or take out those that are all in it."""
-    chosen, selected = limbs(session, words, 0), session.view.selected
-    kept = tuple(limb for limb in selected if limb not in chosen)
-    _show(session, kept if set(chosen) <= set(selected) else (*kept, *chosen))
+    chosen, present = limbs(session, words, 0), session.view.selected
+    kept = tuple(limb for limb in present if limb not in chosen)
+    _show(session, kept if set(chosen) <= set(present) else (*kept, *chosen))
 
 
 def _inside(session: Session, words: tuple[str, ...]) -> tuple[int, ...]:
@@ -138,12 +134,6 @@ def _inside(session: Session, words: tuple[str, ...]) -> tuple[int, ...]:
 
 def _amount(session: Session) -> str:
     return f"{len(session.document.enabled)} of {len(session.document.figure.movable)} limbs"
-
-
-def _selected(session: Session) -> int:
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    return session.view.selected[-1]
 
 
 def _show(session: Session, chosen: tuple[int, ...]) -> None:

@@ -8,7 +8,7 @@ from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.poses.lock_words import lock_words, plain, read_lock
 from layfigure.poses.locks import KINDS, Lock, broken, kind_of, lock_at, with_lock
-from layfigure.session.commands.candidates import limbs, one_limb
+from layfigure.session.commands.arguments import limbs, one_limb, selected
 from layfigure.session.describing import spoken_limb
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
 
@@ -69,7 +69,7 @@ def _release(session: Session, words: tuple[str, ...]) -> None:
 def _toggle(session: Session, words: tuple[str, ...]) -> None:
     kind = one_of(words, 0, "kind of lock", [each for each in KINDS if each != "hold"])
     no_more(words, 1)
-    chosen = _selected(session)
+    chosen = selected(session)
     names = [session.document.figure.names[limb] for limb in chosen]
     has = {lock.limb for lock in session.document.locks if kind_of(lock) == kind}
     if has.issuperset(chosen):
@@ -83,18 +83,12 @@ def _toggle(session: Session, words: tuple[str, ...]) -> None:
 def _hold(session: Session, words: tuple[str, ...]) -> None:
     """Keep the offset of the limbs selected: the last one follows the one before it, or one that is named."""
     names = session.document.figure.names
-    chosen = _selected(session)
+    chosen = selected(session)
     other = one_limb(session, words, 0) if words else chosen[-2] if len(chosen) > 1 else -1
     no_more(words, 1)
     if other < 0:
         raise ImpossibleError("select two limbs, or name the other one: hold LIMB")
     session.execute(join_line("lock", ["hold", names[chosen[-1]], names[other]]))
-
-
-def _selected(session: Session) -> tuple[int, ...]:
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    return session.view.selected
 
 
 def _set_locks(session: Session, title: str, locks: tuple[Lock, ...]) -> None:

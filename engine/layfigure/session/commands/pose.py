@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from layfigure.errors import ImpossibleError, LayfigureError
+from layfigure.errors import ImpossibleError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import limit_of
 from layfigure.plugins.records import Command
 from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import mirrored
-from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.packing import pack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
-from layfigure.session.commands.candidates import one_limb
+from layfigure.session.commands.arguments import one_limb, packed_pose, selected
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
@@ -60,9 +60,7 @@ def _nudge(session: Session, words: tuple[str, ...]) -> None:
     step = number(words, 1, "a number of degrees")
     no_more(words, 2)
     figure = session.document.figure
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    limb = figure.limbs[session.view.selected[-1]]
+    limb = figure.limbs[selected(session)[-1]]
     if limb.index and limb.dof(kind) is None:
         raise ImpossibleError(f"the {spoken_limb(figure, limb.index)} has no {kind}")
     angles = session.document.pose.angles[limb.index].copy()
@@ -82,12 +80,8 @@ def _flip(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _pose(session: Session, words: tuple[str, ...]) -> None:
-    token = required(words, 0, "a packed pose")
+    pose = packed_pose(session, words, 0)
     no_more(words, 1)
-    try:
-        pose = unpack_pose(session.document.figure, token)
-    except LayfigureError as error:
-        raise WordError(1, str(error)) from None
     session.set_pose("open a pose", PoseSet(pose))
 
 

@@ -10,7 +10,7 @@ from layfigure.figures.definition import DOF_KINDS
 from layfigure.plugins.records import Command
 from layfigure.poses.freedom import existing_angles
 from layfigure.poses.pose import Pose
-from layfigure.session.commands.candidates import limbs
+from layfigure.session.commands.arguments import limbs, selected
 from layfigure.session.describing import listed_limbs
 from layfigure.session.words import join_line, one_of
 from layfigure.techniques.contract import PoseSet
@@ -37,7 +37,7 @@ def _rest(session: Session, words: tuple[str, ...]) -> None:
 
 def _rest_below(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     figure = session.document.figure
-    heads = limbs(session, words, 0) if words else _selected(session)
+    heads = limbs(session, words, 0) if words else selected(session)
     below = frozenset[int]().union(*(figure.subtree(limb) for limb in heads))
     chosen = [limb for limb in figure.selectable if limb in below]
     if not chosen:
@@ -57,7 +57,7 @@ def _rest_dof(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     kind = one_of(words, 0, "degree of freedom", DOF_KINDS)
     figure, pose = session.document.figure, session.document.pose
     column = DOF_KINDS.index(kind)
-    named = limbs(session, words, 1) if len(words) > 1 else _selected(session)
+    named = limbs(session, words, 1) if len(words) > 1 else selected(session)
     chosen = tuple(limb for limb in named if existing_angles(figure)[limb, column])
     if not chosen:
         raise ImpossibleError(f"the {listed_limbs(figure, named)} has no {kind}")
@@ -66,12 +66,6 @@ def _rest_dof(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     session.set_pose(f"{kind} to rest", PoseSet(Pose.of(angles, pose.translation), limbs=chosen))
     session.say(f"{kind.capitalize()} back to rest: {listed_limbs(figure, chosen)}.")
     return (kind, *(figure.names[limb] for limb in chosen))
-
-
-def _selected(session: Session) -> tuple[int, ...]:
-    if not session.view.selected:
-        raise ImpossibleError("no limb is selected; Tab selects one")
-    return session.view.selected
 
 
 COMMANDS = (

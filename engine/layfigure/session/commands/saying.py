@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.plugins.records import Command
-from layfigure.session.commands.candidates import candidate, limbs
+from layfigure.session.commands.arguments import limbs
+from layfigure.session.commands.candidates import candidate
 from layfigure.session.commands.interface import shown_commands
 from layfigure.session.describing import freedom
 from layfigure.session.frame import HelpOverlay

@@ -6,16 +6,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from layfigure.plugins.records import Command
-from layfigure.session.words import no_more, one_of
+from layfigure.session.words import switched
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 
 def _symmetric(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
-    no_more(words, 1)
     document = session.document
-    on = one_of(words, 0, "switch", ("on", "off")) == "on" if words else not document.symmetric
+    on = switched(words, lambda: document.symmetric)
     word = "on" if on else "off"
     session.commit(f"symmetric editing {word}", replace(document, symmetric=on))
     session.say("Both sides move alike from now on." if on else "Each side moves on its own.")

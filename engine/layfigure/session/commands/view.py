@@ -12,7 +12,7 @@ from layfigure.drawing.render_list import PLAIN, RECOMMENDED, SMOOTH
 from layfigure.plugins.records import Command
 from layfigure.session.modes import Plain
 from layfigure.session.theme import theme_names
-from layfigure.session.words import no_more, number, one_of, required
+from layfigure.session.words import no_more, number, one_of, required, switched
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -91,8 +91,7 @@ def _overlay(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _skeleton(session: Session, words: tuple[str, ...]) -> None:
-    no_more(words, 1)
-    on = one_of(words, 0, "switch", ("on", "off")) == "on" if words else not session.view.skeleton
+    on = switched(words, lambda: session.view.skeleton)
     session.view = replace(session.view, skeleton=on)
     session.say("The skeleton: drag a rectangle to let limbs change, with Shift to keep them." if on else "")
 
