@@ -17,19 +17,36 @@ CLICK_SLACK = 4.0
 
 
 @dataclass(frozen=True)
-class SliderDrag(Plain):
+class PointerDrag(Plain):
+    """What a press began: it hears the pointer until it is let go, and Esc gives it up."""
+
+    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
+        """Answer moves and the release; keys but Esc wait until the gesture has ended."""
+        del size
+        if isinstance(event, KeyEvent):
+            return [Pop(), *self.given_up()] if event.key == "escape" else []
+        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
+            return []
+        return self.dragged(event)
+
+    def given_up(self) -> Sequence[Outcome]:
+        """Return what takes back what the gesture has shown."""
+        return [GiveUp()]
+
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Return what a move means, or the release."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class SliderDrag(PointerDrag):
     """A slider's knob follows the pointer; the value counts when the button is let go."""
 
     bar: SliderBar
     line: str = ""
 
-    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
-        """Preview while moving, run on release, give up on Esc."""
-        del size
-        if isinstance(event, KeyEvent):
-            return [Pop(), GiveUp()] if event.key == "escape" else []
-        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
-            return []
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Preview while moving, run on release."""
         line = slider_line(self.bar, event.x)
         if event.kind == "release":
             return [Pop(), Run(line)]
@@ -45,7 +62,7 @@ def slider_line(bar: SliderBar, x: float) -> str:
 
 
 @dataclass(frozen=True)
-class DialDrag(Plain):
+class DialDrag(PointerDrag):
     """A joint's dial is turned; the figure follows, and the angles count when the button is let go.
 
     Under locks the way matters, because the rest of the figure follows: there it counts where the figure arrived.
@@ -54,13 +71,8 @@ class DialDrag(Plain):
     dial: JointBall | JointCircle
     locked: bool = False
 
-    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
-        """Preview while moving, run on release, give up on Esc."""
-        del size
-        if isinstance(event, KeyEvent):
-            return [Pop(), GiveUp()] if event.key == "escape" else []
-        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
-            return []
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Preview while moving, run on release."""
         line = dial_line(self.dial, event.x, event.y)
         follow = Continue(line) if self.locked else Preview(line)
         if event.kind == "move":
@@ -80,7 +92,7 @@ def dial_line(dial: JointBall | JointCircle, x: float, y: float) -> str:
 
 
 @dataclass(frozen=True)
-class GoalDrag(Plain):
+class GoalDrag(PointerDrag):
     """The end of a limb is dragged in the plane through it that faces the viewer; let go unmoved it is a click.
 
     ``tip`` is where the end was shown at first, in pixels and depth: the pointer keeps its distance from it.
@@ -93,13 +105,8 @@ class GoalDrag(Plain):
     tip: tuple[float, float, float]
     moved: bool = False
 
-    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
-        """Follow while moving, settle on release, go back on Esc."""
-        del size
-        if isinstance(event, KeyEvent):
-            return [Pop(), GiveUp()] if event.key == "escape" else []
-        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
-            return []
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Follow while moving, settle on release."""
         moved = self.moved or _far(self.start, event)
         if not moved:
             return [Pop(), Run(self.click)] if event.kind == "release" else []
@@ -112,7 +119,7 @@ class GoalDrag(Plain):
 
 
 @dataclass(frozen=True)
-class OrbitDrag(Plain):
+class OrbitDrag(PointerDrag):
     """The figure is grabbed and turned on the virtual ball; a press let go without moving runs ``click``."""
 
     pane: Pane
@@ -121,13 +128,12 @@ class OrbitDrag(Plain):
     click: str = ""
     moved: bool = False
 
-    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
-        """Turn while moving; on Esc the view goes back."""
-        del size
-        if isinstance(event, KeyEvent):
-            return [Pop(), Run(camera_line(self.camera))] if event.key == "escape" else []
-        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
-            return []
+    def given_up(self) -> Sequence[Outcome]:
+        """Turn the view back."""
+        return [Run(camera_line(self.camera))]
+
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Turn while moving."""
         moved = self.moved or _far(self.start, event)
         turn = [Run(camera_line(self._turned(event)))] if moved else []
         if event.kind == "release":
@@ -151,7 +157,7 @@ def camera_line(camera: Camera) -> str:
 
 
 @dataclass(frozen=True)
-class BandDrag(Plain):
+class BandDrag(PointerDrag):
     """A press on a view: let go at once it is a click, dragged it is a rectangle over limbs.
 
     ``band`` is the command that gets the view and the rectangle; ``click`` runs where the pointer did not move.
@@ -163,13 +169,12 @@ class BandDrag(Plain):
     band: str
     now: tuple[float, float] | None = None
 
-    def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
-        """Grow the rectangle while moving, take what is inside on release, give up on Esc."""
-        del size
-        if isinstance(event, KeyEvent):
-            return [Pop()] if event.key == "escape" else []
-        if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
-            return []
+    def given_up(self) -> Sequence[Outcome]:
+        """Nothing was done yet."""
+        return []
+
+    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+        """Grow the rectangle while moving, take what is inside on release."""
         moved = self.now is not None or _far(self.start, event)
         grown = replace(self, now=(event.x, event.y) if moved else None)
         if event.kind == "move":
