@@ -160,7 +160,7 @@ def broken(figure: Figure, pose: Pose, locks: Iterable[Lock], share: float = 1.0
     return tuple(lock for lock in listed if not _kept(lock, placement, tips, allowed))
 
 
-def _kept(lock: Lock, placement: Placement, tips: Floats, allowed: tuple[float, float]) -> bool:
+def _kept(lock: Pin | PinOrientation | Hold, placement: Placement, tips: Floats, allowed: tuple[float, float]) -> bool:
     units, degrees = allowed
     match lock:
         case Pin(limb, position):
@@ -170,8 +170,6 @@ def _kept(lock: Lock, placement: Placement, tips: Floats, allowed: tuple[float, 
         case PinOrientation(limb, turn):
             between = rotation_matrix(turn).T @ placement.limb_to_world[limb]
             return bool(np.linalg.norm(rotation_vector(between)) <= degrees)
-        case _:
-            return True
 
 
 def rounded(vector: Floats) -> Vector:

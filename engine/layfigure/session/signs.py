@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import compress, islice, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from layfigure.drawing.geometry import to_pixels
+from layfigure.drawing.geometry import Floats, to_pixels
 from layfigure.drawing.marks import ROLES, Mark
 from layfigure.drawing.shots import Shot, shot_rows
 from layfigure.errors import PluginError
@@ -43,7 +44,7 @@ def overlay_lines(session: Session, panes: Sequence[Pane], shots: Sequence[Shot]
             session.say(str(error))
             continue
         for pane in panes:
-            pixels = to_pixels(figure, shot_rows([shots[pane.shot]], [pose]), ends)
+            pixels = to_pixels(figure, _row_of(session, shots[pane.shot]), ends)
             sane = np.all(np.abs(pixels) < FARTHEST, axis=(1, 2)).tolist()
             shown = compress(zip(pixels.tolist(), lines, strict=True), sane)
             for ((x1, y1, _), (x2, y2, _)), line in shown:
@@ -114,7 +115,7 @@ def drawn(
     listed = list(marks)
     points = np.array([point for mark in listed for point in mark.points], dtype=np.float64).reshape(-1, 3)
     for pane in panes:
-        row = shot_rows([shots[pane.shot]], [session.document.pose] * (shots[pane.shot].pose + 1))
+        row = _row_of(session, shots[pane.shot])
         pixels = to_pixels(session.document.figure, row, points)
         sane = np.all(np.abs(pixels) < FARTHEST, axis=1).tolist()  # false for what is not a number, too
         first = 0
@@ -124,6 +125,11 @@ def drawn(
                 _add(mark.role, path.tolist(), pane, (lines, signs))
             first += len(mark.points)
     return lines, signs
+
+
+def _row_of(session: Session, shot: Shot) -> Floats:
+    """Return the row (1, 18) of a view as it shows the working pose, whichever pose it is a view of."""
+    return shot_rows([replace(shot, pose=0)], [session.document.pose])
 
 
 def _add(role: str, path: list[list[float]], pane: Pane, into: tuple[list[WorldLine], list[Sign]]) -> None:
