@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -51,6 +51,10 @@ class Limb:
     def dof(self, kind: str) -> Dof | None:
         """Return the degree of freedom of that kind, or None where the joint lacks it."""
         return next((dof for dof in self.dofs if dof.kind == kind), None)
+
+    def turns(self, kind: str) -> bool:
+        """Whether an angle of that kind turns the limb; all three turn the root."""
+        return self.index == 0 or self.dof(kind) is not None
 
 
 @dataclass(frozen=True)
@@ -159,3 +163,14 @@ def limit_of(limb: Limb, kind: str) -> tuple[float, float]:
 def limb_limits(limb: Limb) -> list[tuple[float, float]]:
     """Return the three (low, high) pairs of a limb in the order flexion, pivot, twist, in degrees."""
     return [limit_of(limb, kind) for kind in DOF_KINDS]
+
+
+def limits_from(limb: Limb, angles: Sequence[float]) -> list[tuple[float, float]]:
+    """Return what flexion, pivot and twist may become where a joint stands at ``angles``, as (low, high) in degrees.
+
+    These are its limits, widened to where it stands: outside them it may come nearer but go no farther out. The root
+    turns freely.
+    """
+    if limb.index == 0:
+        return [(-180.0, 180.0)] * 3
+    return [(min(low, at), max(high, at)) for (low, high), at in zip(limb_limits(limb), angles, strict=True)]

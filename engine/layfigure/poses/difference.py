@@ -64,7 +64,7 @@ def difference(figure: Figure, before: Pose, after: Pose) -> Difference:
     """Return what leads from one pose of a figure to another."""
     ways = limb_ends(figure, place_pose(figure, after)) - limb_ends(figure, place_pose(figure, before))
     distances = np.linalg.norm(ways, axis=1)
-    changed = np.flatnonzero((before.angles != after.angles).any(axis=1)).tolist()
+    changed = np.flatnonzero(before.differs_from(after)).tolist()
     limbs = tuple(
         LimbChange(limb, figure.names[limb], _angles(figure, limb, before, after), float(distances[limb]))
         for limb in changed

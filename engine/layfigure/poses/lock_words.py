@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
+from layfigure.files.decimals import plain
 from layfigure.poses.locks import KINDS, Band, Hold, JointLock, Lock, Pin, PinOrientation, kind_of
 
 Vector = tuple[float, float, float]
@@ -71,8 +72,3 @@ def _placed(figure: Figure, words: Sequence[str], limb: int, vector: Vector) -> 
             return PinOrientation(limb, vector)
         case _:
             return Hold(limb, figure.index(words[2]), vector)
-
-
-def plain(value: float) -> str:
-    """Return a number of millionths as the shortest decimal without an exponent."""
-    return f"{value:.6f}".rstrip("0").rstrip(".")

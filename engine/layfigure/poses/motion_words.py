@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure, Limb
+from layfigure.files.decimals import plain
 
 Floats = NDArray[np.float64]
 _UP, _FRONT = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, -1.0])
@@ -43,7 +44,7 @@ def degrees(number: float) -> str:
 
 def amount(number: float) -> str:
     """Return a positive number with at most one decimal, and never as nothing."""
-    return f"{number:.1f}".rstrip("0").rstrip(".") if number >= 0.05 else "less than 0.1"
+    return plain(number, 1) if number >= 0.05 else "less than 0.1"
 
 
 def _swung(figure: Figure, joint: Limb, words: tuple[str, str], course: str) -> str:

@@ -58,6 +58,10 @@ class Pose:
         angles[chosen] = other.angles[chosen]
         return _frozen(angles, other.translation if 0 in chosen else self.translation)
 
+    def differs_from(self, other: Pose) -> NDArray[np.bool_]:
+        """Return which joints (n,) stand otherwise than in another pose of the figure."""
+        return np.asarray((self.angles != other.angles).any(axis=1))
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Pose):
             return NotImplemented

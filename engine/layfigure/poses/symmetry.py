@@ -39,7 +39,7 @@ def with_twins(figure: Figure, before: Pose, after: Pose, held: Container[int]) 
     A limb in the middle stays as it was edited, and so do twins that are ``held`` or that changed themselves.
     """
     images, _ = mirror_map(figure)
-    changed = (before.angles != after.angles).any(axis=1)
+    changed = before.differs_from(after)
     follows = changed[images] & ~changed & (images != np.arange(len(images)))
     twins = [twin for twin in np.flatnonzero(follows).tolist() if twin not in held]
     if not twins:

@@ -33,9 +33,7 @@ def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, 
     limb = figure.limbs[selected[0]]
     kept_note = "" if limb.index in document.enabled or limb.index == 0 else " (kept)"
     angles = document.pose.angles[limb.index]
-    stands = "  ".join(
-        f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.dof(kind) or limb.index == 0
-    )
+    stands = "  ".join(f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.turns(kind))
     heading = f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}"
     return (heading, f"{stands}{_both_sides(document)}", *describe_locks(document))
 

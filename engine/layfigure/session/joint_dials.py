@@ -6,7 +6,8 @@ import math
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.figures.definition import DOF_KINDS
-from layfigure.figures.figure import Limb, limb_limits
+from layfigure.figures.figure import Limb, limits_from
+from layfigure.files.decimals import plain
 from layfigure.session.document import Document
 from layfigure.session.frame import JointBall, JointCircle
 from layfigure.session.words import join_line, quoted
@@ -27,8 +28,8 @@ def joint_dials(document: Document, selected: tuple[int, ...]) -> tuple[JointBal
 
 
 def _swing_dial(limb: Limb, command: str, angles: tuple[float, float, float]) -> JointBall | JointCircle:
-    (f_low, f_high), (p_low, p_high), _ = bounds(limb, angles)
-    has = [limb.index == 0 or limb.dof(kind) is not None for kind in DOF_KINDS]
+    (f_low, f_high), (p_low, p_high), _ = limits_from(limb, angles)
+    has = [limb.turns(kind) for kind in DOF_KINDS]
     if has[0] and has[1]:
         return JointBall(NOWHERE, "Flexion, pivot", command, angles, (f_low, p_low), (f_high, p_high))
     if has[1]:
@@ -39,16 +40,9 @@ def _swing_dial(limb: Limb, command: str, angles: tuple[float, float, float]) ->
 
 
 def _twist_dial(limb: Limb, command: str, angles: tuple[float, float, float]) -> JointCircle:
-    low, high = bounds(limb, angles)[2]
-    has = limb.index == 0 or limb.dof("twist") is not None
+    low, high = limits_from(limb, angles)[2]
+    has = limb.turns("twist")
     return JointCircle(NOWHERE, "Twist" if has else "No twist", command, angles, 2 if has else -1, low, high)
-
-
-def bounds(limb: Limb, angles: tuple[float, float, float]) -> list[tuple[float, float]]:
-    """Return what flexion, pivot and twist may be: the limits, widened to where the joint stands. The root is free."""
-    if limb.index == 0:
-        return [(-180.0, 180.0)] * 3
-    return [(min(low, at), max(high, at)) for (low, high), at in zip(limb_limits(limb), angles, strict=True)]
 
 
 def ball_line(ball: JointBall, x: float, y: float) -> str:
@@ -91,4 +85,4 @@ def _readable(angle: float) -> float:
 
 
 def _line(command: str, angles: tuple[float, float, float]) -> str:
-    return join_line(command, [f"{angle:.6f}".rstrip("0").rstrip(".") for angle in angles])
+    return join_line(command, map(plain, angles))

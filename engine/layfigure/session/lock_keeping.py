@@ -20,7 +20,7 @@ _WORDS = {"place": "the pin on", "orientation": "the pinned turn of", "hold": "t
 
 def changed_limbs(before: Pose, after: Pose) -> frozenset[int]:
     """Return the limbs whose angles differ; the root also where it was carried."""
-    limbs = frozenset(np.flatnonzero((before.angles != after.angles).any(axis=1)).tolist())
+    limbs = frozenset(np.flatnonzero(before.differs_from(after)).tolist())
     carried = not np.array_equal(before.translation, after.translation)
     return limbs | {0} if carried else limbs
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.definition import DOF_KINDS
-from layfigure.figures.figure import Figure
+from layfigure.figures.figure import Figure, limits_from
 from layfigure.kinematics.swing import canonical
 from layfigure.poses.locks import Lock, locked_joints
 from layfigure.poses.packing import pack_pose, unpack_pose
@@ -143,11 +143,10 @@ class Forward:
 
     def _within_limits(self, state: ForwardState, limb: int, wanted: Floats) -> Floats:
         """Return the angles within the joint's limits; one that was outside may come nearer but go no farther out."""
-        if not limb or not state.limits:
+        if not state.limits:
             return wanted
-        present = state.pose.angles[limb]
-        low, high = self.figure.arrays.limits[limb].T
-        return np.asarray(np.clip(wanted, np.minimum(low, present), np.maximum(high, present)))
+        low, high = np.transpose(limits_from(self.figure.limbs[limb], state.pose.angles[limb].tolist()))
+        return np.asarray(np.clip(wanted, low, high))
 
     def _note(self, limb: int, wanted: Floats, kept: Floats) -> str:
         held = np.flatnonzero(np.abs(wanted - kept) > 1e-9)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from layfigure.figures.figure import Limb, limb_limits
+from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.figure import Limb, limb_limits, limits_from
 from layfigure_plugins.reach.vectors import Matrix, Vector, apply, cross, dot, quaternion_matrix
 
 Angles = tuple[float, float, float]
@@ -14,7 +15,6 @@ UNITS = 10**6
 """Committed angles are whole numbers of these per degree."""
 
 _STRAIGHT = 180 * UNITS
-_FREE = ((-180.0, 180.0),) * 3
 _POLE = 1e-6  # nearer than this to straight back the half vector keeps its horizontal direction
 
 
@@ -27,14 +27,12 @@ class Joint:
     __slots__ = ("_bounds", "_units", "has", "swings", "twists")
 
     def __init__(self, limb: Limb, start: Angles) -> None:
-        root = limb.index == 0
-        limits = _FREE if root else limb_limits(limb)
-        self.has = tuple(root or limb.dof(kind) is not None for kind in ("flexion", "pivot", "twist"))
+        self.has = tuple(limb.turns(kind) for kind in DOF_KINDS)
         self.swings, self.twists = self.has[0] or self.has[1], self.has[2]
         room = 180.0 - sum(abs(at) for has, at in zip(self.has[:2], start, strict=False) if not has)
         self._bounds = tuple(
-            (max(min(low, at), -room), min(max(high, at), room)) if has else (at, at)
-            for has, (low, high), at in zip(self.has, limits, start, strict=True)
+            (max(low, -room), min(high, room)) if has else (at, at)
+            for has, (low, high), at in zip(self.has, limits_from(limb, start), start, strict=True)
         )
         self._units = tuple(
             (math.ceil(low * UNITS - 1e-6), math.floor(high * UNITS + 1e-6)) for low, high in self._bounds

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from layfigure.errors import ImpossibleError
+from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.records import Command
-from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import rounded, tips_of
 from layfigure.session.commands.arguments import one_limb, packed_pose, selected
 from layfigure.session.describing import spoken_limb

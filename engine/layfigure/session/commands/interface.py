@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.library import figure_names
+from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
@@ -79,7 +80,7 @@ def _numbers(session: Session, name: str) -> PaletteMode:
     """Return a prompt for the numbers of the selected limb, with the present ones typed already."""
     figure, pose, limb = session.document.figure, session.document.pose, selected(session)[-1]
     if name == "set":
-        kinds = [kind for kind in DOF_KINDS if not limb or figure.limbs[limb].dof(kind)]
+        kinds = [kind for kind in DOF_KINDS if figure.limbs[limb].turns(kind)]
         values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]
         prompt = f"{' '.join(kinds).capitalize()} of the {spoken_limb(figure, limb)}:"
         hint = allowed_angles(figure.limbs[limb])
@@ -87,7 +88,7 @@ def _numbers(session: Session, name: str) -> PaletteMode:
         values = list(tips_of(figure, place_pose(figure, pose))[limb])
         prompt = f"Place of the end of the {spoken_limb(figure, limb)}, x y z:"
         hint = "Figure units: x to its left, y up, z to its back."
-    text = " ".join(f"{value:.2f}".rstrip("0").rstrip(".") for value in values)
+    text = " ".join(plain(value, 2) for value in values)
     prefix = join_line(name, [figure.names[limb]])
     return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True, offered=True, hint=hint)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
+from layfigure.files.decimals import plain
 from layfigure.plugins.records import Command
-from layfigure.poses.lock_words import lock_words, plain, read_lock
+from layfigure.poses.lock_words import lock_words, read_lock
 from layfigure.poses.locks import KINDS, Lock, broken, kind_of, lock_at, with_lock
 from layfigure.session.commands.arguments import limbs, one_limb, selected
 from layfigure.session.describing import spoken_limb

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from layfigure.errors import ImpossibleError
 from layfigure.figures.definition import DOF_KINDS
-from layfigure.figures.figure import limit_of
+from layfigure.figures.figure import limits_from
+from layfigure.files.decimals import plain
 from layfigure.plugins.records import Command
-from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import mirrored
 from layfigure.poses.packing import pack_pose
 from layfigure.poses.pose import Pose
@@ -42,7 +40,7 @@ def _set(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
 def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float, float, float]:
     """Return the angles in words: all three, or one for each degree of freedom that the joint has."""
     figure = session.document.figure
-    name, has = spoken_limb(figure, limb), [not limb or figure.limbs[limb].dof(kind) is not None for kind in DOF_KINDS]
+    name, has = spoken_limb(figure, limb), [figure.limbs[limb].turns(kind) for kind in DOF_KINDS]
     given = [index for index in range(3) if has[index]] if len(words) - 1 == sum(has) and any(has) else [0, 1, 2]
     angles = [0.0, 0.0, 0.0]
     for place, index in enumerate(given):
@@ -61,14 +59,12 @@ def _nudge(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 2)
     figure = session.document.figure
     limb = figure.limbs[selected(session)[-1]]
-    if limb.index and limb.dof(kind) is None:
+    if not limb.turns(kind):
         raise ImpossibleError(f"the {spoken_limb(figure, limb.index)} has no {kind}")
-    angles = session.document.pose.angles[limb.index].copy()
-    column = DOF_KINDS.index(kind)
-    low, high = limit_of(limb, kind) if limb.dof(kind) else (-180.0, 180.0)
-    present = angles[column]
-    angles[column] = np.clip(present + step, min(low, present), max(high, present))
-    session.execute(join_line("set", [limb.name, *(f"{angle:.6f}" for angle in angles)]))
+    angles, column = session.document.pose.angles[limb.index].tolist(), DOF_KINDS.index(kind)
+    low, high = limits_from(limb, angles)[column]
+    angles[column] = min(max(angles[column] + step, low), high)
+    session.execute(join_line("set", [limb.name, *map(plain, angles)]))
 
 
 def _flip(session: Session, words: tuple[str, ...]) -> None:

@@ -86,7 +86,7 @@ def _contents(session: Session, slot: int) -> str:
         return "empty"
     if stored == present:
         return "the pose as it is now"
-    count = int(np.count_nonzero((stored.angles != present.angles).any(axis=1)))
+    count = int(np.count_nonzero(stored.differs_from(present)))
     if not count:
         return "the same joints in another place"
     return f"differs in {count} joint{'s' if count > 1 else ''}"
