@@ -12,10 +12,10 @@ from pathlib import Path
 
 from layfigure.configuration import load_bindings
 from layfigure.drawing.render_list import RenderList, Target
-from layfigure.errors import ImpossibleError, LayfigureError, PluginError
+from layfigure.errors import LayfigureError, PluginError
 from layfigure.plugins.discovery import Found
 from layfigure.plugins.host import Host
-from layfigure.plugins.records import Command, RendererObject, Technique
+from layfigure.plugins.records import Command, Technique
 from layfigure.poses.packing import pack_pose
 from layfigure.session.bench import Option
 from layfigure.session.commands import BUILT_IN
@@ -30,6 +30,7 @@ from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindi
 from layfigure.session.keymap import hints as hints_of
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
+from layfigure.session.rendering import Renderers
 from layfigure.session.routing import route
 from layfigure.session.stage import Stage
 from layfigure.session.techniques import Workshop
@@ -76,8 +77,7 @@ class Session:
         self.saved_as: Path | None = None
         self.on_logged: Callable[[str], None] = lambda line: None
         self.on_closed: Callable[[bool], None] = lambda interrupted: None
-        self._compiled = self.options.compiled
-        self._renderers: dict[str, RendererObject] = {}
+        self._renderers = Renderers(host, self.say, compiled=self.options.compiled)
         self._stage = Stage(self)
         self._before_preview: Document | None = None
         self._key_table: tuple[tuple[Technique, ...], KeyTable] | None = None
@@ -107,6 +107,17 @@ class Session:
         assert picture.frame is frame
         self.render(picture.render_list, target)
 
+    def render(self, render_list: RenderList, target: Target) -> None:
+        """Draw with the chosen renderer, or the next that works.
+
+        Raises:
+            ImpossibleError: no renderer is in service.
+        """
+        wanted = self.host.renderers.get(self.view.renderer)
+        if wanted is not None and wanted.compiled and not self._renderers.compiled:
+            self.workshop.solvers.await_compiled()
+        self._renderers.draw(render_list, target, self.view.look, preferred=self.view.renderer)
+
     def begin(self, document: Document) -> None:
         """Start over with a document: no history, a log that says where it begins."""
         self.document = self._opened(document)
@@ -117,7 +128,7 @@ class Session:
 
     def kernels_ready(self) -> None:
         """Say that compiled renderers and solvers may be used from now on."""
-        self._compiled = True
+        self._renderers.compiled = True
         self.workshop.ask_anew()
         self.revision += 1
 
@@ -266,7 +277,7 @@ class Session:
         other = {name for name, record in present.items() if self.host.techniques.get(name) is not record}
         document = self.workshop.renew(self.document, {name: present[name] for name in other})
         self.history.forget_states(other)
-        self._renderers.clear()
+        self._renderers.forget()
         if self.options.keymap:
             self.options = replace(self.options, bindings=load_bindings(self.host, self.options.keymap))
         self._key_table = None
@@ -352,27 +363,6 @@ class Session:
         """Go on without a technique that failed: the pose stays, another technique takes over."""
         self.document = self._in_service(self.document)
         self.say(reason)
-
-    def render(self, render_list: RenderList, target: Target) -> None:
-        """Draw with the chosen renderer, or the next that works."""
-        for identifier in self._renderer_order():
-            record = self.host.renderers[identifier]
-            try:
-                if identifier not in self._renderers:
-                    self._renderers[identifier] = self.host.call(record, "making", record.make)
-                self.host.call(record, "drawing", self._renderers[identifier].draw, render_list, target, self.view.look)
-            except PluginError as error:
-                self.say(str(error))
-            else:
-                return
-        raise ImpossibleError("no renderer is in service; start without --no-plugin, or with --safe")
-
-    def _renderer_order(self) -> list[str]:
-        wanted = self.host.renderers.get(self.view.renderer)
-        if wanted is not None and wanted.compiled and not self._compiled:
-            self.workshop.solvers.await_compiled()
-        usable = [key for key, record in self.host.renderers.items() if self._compiled or not record.compiled]
-        return sorted(usable, key=lambda key: key != self.view.renderer)
 
     def _announce(self, before: Document) -> None:
         if self.document.pose is not before.pose and self.document.pose != before.pose:
