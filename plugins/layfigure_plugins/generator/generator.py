@@ -22,12 +22,14 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
+from layfigure.techniques.control_values import Value, checked_value
 from layfigure.techniques.keeping import keep_in_turn
 from layfigure_plugins.generator.address import read_address, write_address
 from layfigure_plugins.generator.alternatives import SWING, TWIST
 from layfigure_plugins.generator.breath import variants
-from layfigure_plugins.generator.conditions import APART, FILTERS, ORDERED
+from layfigure_plugins.generator.conditions import FILTERS
 from layfigure_plugins.generator.cones import cones
+from layfigure_plugins.generator.controls import CONTROLS
 from layfigure_plugins.generator.page import Page, Pages
 from layfigure_plugins.generator.plain_data import dumped, loaded
 from layfigure_plugins.generator.state import PAGES, Generation, GeneratorState, mutated, opening
@@ -84,8 +86,8 @@ class Generator:
                 return self._pick(state, event)
             case Best():
                 return self._best(state, event)
-            case Control(name, value):
-                return self._control(state, name, value)
+            case Control():
+                return self._control(state, event)
             case PoseSet():
                 return self._take_over(state, event)
             case EnabledSet(enabled):
@@ -139,8 +141,9 @@ class Generator:
             raise ImpossibleError("what is switched off or locked stays as it is; free it first")
         generation = state.generation.settled(source, taken)
         if pick.vary:
-            kind = _one_of((SWING, TWIST), pick.vary, "a limb can vary in")
-            generation = generation.varying(taken & frozenset(self.figure.movable), kind)
+            if pick.vary not in (SWING, TWIST):
+                raise ImpossibleError(f"a limb can vary in {SWING} or {TWIST}, not {pick.vary!r}")
+            generation = generation.varying(taken & frozenset(self.figure.movable), pick.vary)
         return replace(state, seed=self._taken(state, source, taken), generation=generation)
 
     def _best(self, state: State, best: Best) -> State:
@@ -180,21 +183,22 @@ class Generator:
         edited = frozenset(event.limbs)
         return replace(state, seed=event.pose, generation=state.generation.settled(event.pose, edited))
 
-    def _control(self, state: State, name: str, value: object) -> State:
-        match name:
+    def _control(self, state: State, event: Control) -> State:
+        value = checked_value(CONTROLS, event)
+        match event.name:
             case "mutate":
                 return mutated(state, within_limits=state.generation.number == 0)
             case "next" | "previous":
-                return _turned(state, 1 if name == "next" else -1)
+                return _turned(state, 1 if event.name == "next" else -1)
             case "first":
                 return replace(state, page=0)
             case "goto":
-                return self._go_to(state, value)
+                return self._go_to(state, str(value or ""))
             case _:
-                return _set(state, name, value)
+                return _set(state, event.name, value)
 
-    def _go_to(self, state: State, address: object) -> State:
-        generation, page = read_address(self.figure, str(address or ""))
+    def _go_to(self, state: State, address: str) -> State:
+        generation, page = read_address(self.figure, address)
         joints = sorted(locked_joints(state.locks))
         moved = (generation.base.angles[joints] != state.seed.angles[joints]).any()
         if moved or broken(self.figure, generation.base, state.locks):
@@ -209,20 +213,18 @@ class Generator:
         )
 
 
-def _set(state: State, name: str, value: object) -> State:
+def _set(state: State, name: str, value: Value) -> State:
     """Return the state with one value of the panel set: for the next generation, or filters for this page as well."""
     conditions = state.generation.conditions
-    match name:
-        case "intensity":
-            return replace(state, intensity=_intensity(value))
-        case "kind":
-            return replace(state, kind=_one_of((SWING, TWIST), value, "the kind of mutation is"))
-        case "spread":
-            return state.under(replace(conditions, spread=_one_of((ORDERED, APART), value, "the spread is")))
-        case _ if name in FILTERS:
-            return state.under(conditions.filtered(name, _switch(name, value)))
+    match name, value:
+        case "intensity", float():
+            return replace(state, intensity=value)
+        case "kind", str():
+            return replace(state, kind=value)
+        case "spread", str():
+            return state.under(replace(conditions, spread=value))
         case _:
-            raise ImpossibleError(f'the generator has no control "{name}"')
+            return state.under(conditions.filtered(name, on=value is True))
 
 
 def _values(state: State) -> dict[str, float | str | bool]:
@@ -246,21 +248,3 @@ def _turned(state: State, step: int) -> State:
     if page >= PAGES:
         raise ImpossibleError("this is the last page; First goes back, Mutate makes a new generation")
     return replace(state, page=page)
-
-
-def _intensity(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 100:
-        raise ImpossibleError(f"the intensity goes from 0 to 100, {value} is not in it")
-    return float(value)
-
-
-def _switch(name: str, value: object) -> bool:
-    if not isinstance(value, bool):
-        raise ImpossibleError(f"{name} is on or off, not {value!r}")
-    return value
-
-
-def _one_of(known: tuple[str, ...], value: object, sentence: str) -> str:
-    if value not in known:
-        raise ImpossibleError(f"{sentence} {' or '.join(known)}, not {value!r}")
-    return str(value)

@@ -24,8 +24,10 @@ from layfigure.techniques.contract import (
     PoseSet,
     Setting,
 )
+from layfigure.techniques.control_values import Value, checked_value
 from layfigure.techniques.solving import chain_of, vector
 from layfigure_plugins.hybrid.address import read_address, write_address
+from layfigure_plugins.hybrid.controls import CONTROLS
 from layfigure_plugins.hybrid.ends import chains_with, effectors, placed
 from layfigure_plugins.hybrid.page import Page, Pages, brought_back
 from layfigure_plugins.hybrid.plain_data import dumped, loaded
@@ -76,8 +78,8 @@ class Hybrid:
                 return self._pick(state, event)
             case Best(candidate):
                 return replace(state, seed=self._candidate(state, candidate))
-            case Control(name, value):
-                return self._control(state, name, value)
+            case Control():
+                return self._control(state, event)
             case PoseSet():
                 return self._take_over(state, event)
             case EnabledSet(enabled):
@@ -189,31 +191,31 @@ class Hybrid:
 
     # --- controls ---------------------------------------------------------------------------------------------------
 
-    def _control(self, state: HybridState, name: str, value: object) -> HybridState:
-        match name, value:
+    def _control(self, state: HybridState, event: Control) -> HybridState:
+        value = checked_value(CONTROLS, event)
+        match event.name, value:
             case "mutate", _:
                 return mutated(state)
             case "next" | "previous", _:
-                return _turned(state, 1 if name == "next" else -1)
+                return _turned(state, 1 if event.name == "next" else -1)
             case "first", _:
                 return replace(state, page=0)
-            case "effector", None | str():
-                return self._choosing(state, value)
-            case "goto", str():
-                return self._go_to(state, value)
+            case "effector", None | str() as name:
+                return self._choosing(state, name)
+            case "goto", _:
+                return self._go_to(state, str(value or ""))
             case _:
-                return self._set(state, name, value)
+                return self._set(state, event.name, value)
 
-    def _set(self, state: HybridState, name: str, value: object) -> HybridState:
+    def _set(self, state: HybridState, name: str, value: Value) -> HybridState:
+        """Return the state with a slider or a toggle of the panel set, for the next generation."""
         match name, value:
-            case "intensity", _:
-                return replace(state, intensity=_intensity(value))
-            case "aim", bool():
-                return replace(state, aim=value)
-            case "root", bool():
-                return self._carrying(state, value)
+            case "intensity", float():
+                return replace(state, intensity=value)
+            case "aim", _:
+                return replace(state, aim=value is True)
             case _:
-                raise ImpossibleError(f'the hybrid technique has no control "{name}" that can be {value!r}'[:160])
+                return self._carrying(state, value is True)
 
     def _carrying(self, state: HybridState, on: bool) -> HybridState:
         if on and 0 in locked_joints(state.locks):
@@ -261,9 +263,3 @@ def _turned(state: HybridState, step: int) -> HybridState:
     if page >= PAGES:
         raise ImpossibleError("this is the last page; First goes back, Mutate makes a new generation")
     return replace(state, page=page)
-
-
-def _intensity(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 100:
-        raise ImpossibleError(f"the intensity goes from 0 to 100, {value} is not in it")
-    return float(value)
