@@ -10,10 +10,9 @@ from layfigure.drawing.render_list import Rectangle
 from layfigure.session.events import Event, KeyEvent, PointerEvent
 from layfigure.session.frame import JointBall, JointCircle, Outline, Pane, Size, SliderBar
 from layfigure.session.joint_dials import ball_line, circle_line
+from layfigure.session.metrics import metrics
 from layfigure.session.modes import Become, Continue, GiveUp, Outcome, Plain, Pop, Preview, Run, Settle
 from layfigure.session.words import join_line, split_line
-
-CLICK_SLACK = 4.0
 
 
 @dataclass(frozen=True)
@@ -95,12 +94,11 @@ class GoalDrag(Plain):
 
     def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Follow while moving, settle on release, go back on Esc."""
-        del size
         if isinstance(event, KeyEvent):
             return [Pop(), GiveUp()] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
             return []
-        moved = self.moved or _far(self.start, event)
+        moved = self.moved or _far(self.start, event, size)
         if not moved:
             return [Pop(), Run(self.click)] if event.kind == "release" else []
         x, y = self.tip[0] + event.x - self.start[0], self.tip[1] + event.y - self.start[1]
@@ -123,12 +121,11 @@ class OrbitDrag(Plain):
 
     def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Turn while moving; on Esc the view goes back."""
-        del size
         if isinstance(event, KeyEvent):
             return [Pop(), Run(camera_line(self.camera))] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
             return []
-        moved = self.moved or _far(self.start, event)
+        moved = self.moved or _far(self.start, event, size)
         turn = [Run(camera_line(self._turned(event)))] if moved else []
         if event.kind == "release":
             return [Pop(), *turn] if moved or not self.click else [Pop(), Run(self.click)]
@@ -165,12 +162,11 @@ class BandDrag(Plain):
 
     def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Grow the rectangle while moving, take what is inside on release, give up on Esc."""
-        del size
         if isinstance(event, KeyEvent):
             return [Pop()] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
             return []
-        moved = self.now is not None or _far(self.start, event)
+        moved = self.now is not None or _far(self.start, event, size)
         grown = replace(self, now=(event.x, event.y) if moved else None)
         if event.kind == "move":
             return [Become(grown)]
@@ -193,5 +189,6 @@ class BandDrag(Plain):
         return (Outline(self.rectangle(), "band"),) if self.now is not None else ()
 
 
-def _far(start: tuple[float, float], event: PointerEvent) -> bool:
-    return abs(event.x - start[0]) > CLICK_SLACK or abs(event.y - start[1]) > CLICK_SLACK
+def _far(start: tuple[float, float], event: PointerEvent, size: Size) -> bool:
+    slack = metrics(size).slack
+    return abs(event.x - start[0]) > slack or abs(event.y - start[1]) > slack
