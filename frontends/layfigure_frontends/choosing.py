@@ -1,4 +1,4 @@
-"""Which front end to use here: a window where there is a display, else a script that writes a picture."""
+"""Which front end to use here: a window where there is a display, else the terminal, else a script."""
 
 from __future__ import annotations
 
@@ -11,23 +11,31 @@ FRONTENDS = ("auto", "sdl", "terminal", "headless")
 
 
 def choose_frontend(asked: str) -> str:
-    """Return "sdl" or "headless" for what was asked.
+    """Return "sdl", "terminal" or "headless" for what was asked.
 
     Raises:
-        LayfigureError: the terminal front end is asked for by name, which is not part of this version, or a window is
-            asked for where there is no display.
+        LayfigureError: what is asked for cannot be had here: a window without a display, or no terminal.
     """
-    if asked == "terminal":
-        raise LayfigureError("this version has no terminal front end yet; use --frontend sdl or --frontend headless")
     if asked == "auto":
-        return "sdl" if has_display() else "headless"
+        return "sdl" if has_display() else "terminal" if at_terminal() else "headless"
     if asked == "sdl" and not has_display() and not os.environ.get("SDL_VIDEODRIVER"):
-        raise LayfigureError("there is no display here for a window; set DISPLAY or use --frontend headless")
+        raise LayfigureError("there is no display here for a window; set DISPLAY or use --frontend terminal")
+    if asked == "terminal" and not _has_terminal():
+        raise LayfigureError("standard input and output are no terminal; start in one or use --frontend headless")
     return asked
+
+
+def at_terminal() -> bool:
+    """Whether there is a terminal here that shows more than lines of text."""
+    return _has_terminal() and os.environ.get("TERM") != "dumb"
+
+
+def _has_terminal() -> bool:
+    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
 
 
 def has_display() -> bool:
     """Whether a window can be expected to open here."""
     if sys.platform in ("win32", "darwin"):
-        return True
+        return not os.environ.get("SSH_CONNECTION")
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

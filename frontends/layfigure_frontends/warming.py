@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
@@ -17,12 +17,19 @@ if TYPE_CHECKING:
     from layfigure.plugins.host import Host
 
 
-def steps(host: Host) -> Iterator[tuple[str, Callable[[], object]]]:
-    """Yield what makes every kernel ready, as (title, work), in order; a renderer that fails is set aside."""
+Step = tuple[str, Callable[[], object]]
+
+
+def steps(host: Host, also: Iterable[Step] = ()) -> Iterator[Step]:
+    """Yield what makes every kernel ready, as (title, work), in order; a renderer that fails is set aside.
+
+    ``also`` is what a front end has of its own.
+    """
     yield "the engine", compiled.load
     for renderer in list(host.renderers.values()):
         if renderer.warm is not None:
             yield renderer.title, _warm(host, renderer)
+    yield from also
     yield "a note that all is ready", compiled.mark_warm
 
 
@@ -38,10 +45,11 @@ def _warm(host: Host, renderer: Renderer) -> Callable[[], object]:
 class Warming:
     """Compiles in another process where the cache is cold, then loads in a thread; the window goes on meanwhile."""
 
-    def __init__(self, host: Host, done: Callable[[str], None]) -> None:
+    def __init__(self, host: Host, done: Callable[[str], None], also: Iterable[Step] = ()) -> None:
         """``done(fault)`` is called in the thread, with an empty text or a sentence that says what went wrong."""
         self._host = host
         self._done = done
+        self._also = tuple(also)
         self._compiler: subprocess.Popen[bytes] | None = None
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._work, name="warming", daemon=True)
@@ -67,7 +75,7 @@ class Warming:
         try:
             if not compiled.is_warm():
                 self._compile()
-            for _, work in steps(self._host):
+            for _, work in steps(self._host, self._also):
                 if self._stopped.is_set():
                     return
                 work()

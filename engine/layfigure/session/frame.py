@@ -1,7 +1,8 @@
 """What a front end gets back: where to draw which view, which widgets, and what stands on top.
 
-All coordinates are surface pixels (half-block pixels in a terminal: a cell is one wide and two high). A front end draws ``shots`` through the session, then paints
-the widgets in order, then the marks, then the overlay. It decides nothing.
+All coordinates are surface pixels (half-block pixels in a terminal: a cell is one wide and two high). A front end
+draws ``shots`` through the session, then paints the widgets in order, then the marks, then the overlay. It decides
+nothing.
 """
 
 from __future__ import annotations

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from layfigure.drawing.render_list import RenderList, Target
+from layfigure.drawing.joint_kinds import coded_by_kind
+from layfigure.drawing.render_list import PLAIN, Look, RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, RendererObject
@@ -100,6 +101,15 @@ class Session:
         picture = self._stage.picture
         assert picture.frame is frame
         self.render(picture.render_list, target)
+
+    def draw_kinds(self, frame: Frame, target: Target) -> None:
+        """Draw the frame composed last so that :func:`layfigure.drawing.joint_kinds.kinds_shown` can read the target.
+
+        That says for every pixel how the joint of the limb shown there moves, for screens without enough colours.
+        """
+        picture = self._stage.picture
+        assert picture.frame is frame
+        self.render(coded_by_kind(picture.render_list, self.document.figure), target, PLAIN)
 
     def begin(self, document: Document) -> None:
         """Start over with a document: no history, a log that says where it begins."""
@@ -330,14 +340,15 @@ class Session:
         self.document = self._opened(replace(self.document, technique="", states=states))
         self.say(reason)
 
-    def render(self, render_list: RenderList, target: Target) -> None:
-        """Draw with the chosen renderer, or the next that works."""
+    def render(self, render_list: RenderList, target: Target, look: Look | None = None) -> None:
+        """Draw with the chosen renderer, or the next that works, in the view's look or another."""
+        look = self.view.look if look is None else look
         for identifier in self._renderer_order():
             record = self.host.renderers[identifier]
             try:
                 if identifier not in self._renderers:
                     self._renderers[identifier] = self.host.call(record, "making", record.make)
-                self.host.call(record, "drawing", self._renderers[identifier].draw, render_list, target, self.view.look)
+                self.host.call(record, "drawing", self._renderers[identifier].draw, render_list, target, look)
             except PluginError as error:
                 self.say(str(error))
             else:

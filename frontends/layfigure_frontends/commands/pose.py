@@ -32,20 +32,55 @@ window_options = as_record(
 )
 
 
+@dataclass(frozen=True)
+class TerminalChoice:
+    """How the terminal is to be used."""
+
+    color: str
+    graphics: str
+    fps: float
+
+
+COLOURS = {"auto": "auto", "true": "truecolor", "256": "256", "16": "16", "mono": "mono"}
+terminal_options = as_record(
+    "screen",
+    TerminalChoice,
+    click.option("--color", type=click.Choice(list(COLOURS)), default="auto", help="Colours of the terminal."),
+    click.option(
+        "--graphics",
+        type=click.Choice(["auto", "sixel", "kitty", "cells"]),
+        default="auto",
+        help="How the terminal shows pictures.",
+    ),
+    click.option("--fps", type=click.FloatRange(1, 60), default=30, help="Most frames a second in the terminal."),
+)
+
+
 @click.command("pose")
 @click.argument("what", default="", metavar="[FIGURE|POSE]")
 @click.option("--frontend", type=click.Choice(FRONTENDS), help="Where to work (default: what there is).")
 @window_options
+@terminal_options
 @plugin_options
-def command(what: str, frontend: str | None, window: WindowChoice, choice: PluginChoice) -> int:
+def command(
+    what: str, frontend: str | None, window: WindowChoice, screen: TerminalChoice, choice: PluginChoice
+) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
-    Opens a window where there is a display; else plays a script and writes a picture and a pose.
+    Opens a window where there is a display, else works in the terminal; where there is none either, plays a script and
+    writes a picture and a pose.
     """
     from layfigure.configuration import load_configuration
 
     configuration = load_configuration(choice.config)
-    if choose_frontend(frontend or configuration.frontend) == "headless":
+    place = choose_frontend(frontend or configuration.frontend)
+    if place == "terminal":
+        from layfigure import places
+        from layfigure_frontends.terminal import app
+
+        asked = app.TerminalOptions(COLOURS[screen.color], screen.graphics, screen.fps, places.state())
+        return app.run(lambda: _interactive(choice, what, place, restore=not window.no_restore), asked)
+    if place == "headless":
         from layfigure_frontends.headless import pose_without_window
 
         pose_without_window(choice, what)
@@ -53,14 +88,14 @@ def command(what: str, frontend: str | None, window: WindowChoice, choice: Plugi
     from layfigure_frontends.sdl.app import WindowOptions, run
 
     options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
-    return run(lambda: _interactive(choice, what, restore=not window.no_restore), options)
+    return run(lambda: _interactive(choice, what, place, restore=not window.no_restore), options)
 
 
-def _interactive(choice: PluginChoice, what: str, *, restore: bool) -> Session:
+def _interactive(choice: PluginChoice, what: str, place: str, *, restore: bool) -> Session:
     from layfigure_frontends.opening import open_session
     from layfigure_frontends.recovery import Recovery
 
-    session = open_session(choice, what, "sdl")
+    session = open_session(choice, what, place)
     recovery = Recovery(session)
     session.on_closed = recovery.close
     if restore:

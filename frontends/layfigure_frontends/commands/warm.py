@@ -12,17 +12,18 @@ from layfigure_frontends.opening import PluginChoice
 def command(quiet: bool) -> int:
     """Compile the drawing code now, so that the first start is quick (done once per version and machine)."""
     from layfigure_frontends.opening import open_host
+    from layfigure_frontends.terminal.warm_step import STEP
     from layfigure_frontends.warming import steps
 
     host = open_host(PluginChoice())
     if quiet:
-        for _, work in steps(host):
+        for _, work in steps(host, [STEP]):
             work()
         return 0
     from rich.progress import Progress
 
     with Progress(transient=True) as progress:
-        todo = list(steps(host))
+        todo = list(steps(host, [STEP]))
         task = progress.add_task("Compiling", total=len(todo))
         for title, work in todo:
             progress.update(task, description=f"Compiling {title}")
