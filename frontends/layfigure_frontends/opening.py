@@ -75,12 +75,17 @@ def session_options(host: Host, configuration: Configuration, frontend: str) -> 
     from layfigure.configuration import load_bindings
     from layfigure.session.session import SessionOptions
 
+    bindings = load_bindings(host, configuration.keymap)
+    if frontend == "terminal":
+        from layfigure_frontends.terminal.reportable import reportable_first
+
+        bindings = reportable_first(bindings)
     return SessionOptions(
         technique=configuration.technique,
         renderer=configuration.renderer,
         theme=configuration.theme,
         frontend=frontend,
-        bindings=load_bindings(host, configuration.keymap),
+        bindings=bindings,
         technique_options=configuration.options,
         compiled=frontend == "headless",
     )

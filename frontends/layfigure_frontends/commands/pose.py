@@ -62,9 +62,7 @@ terminal_options = as_record(
 @window_options
 @terminal_options
 @plugin_options
-def command(
-    what: str, frontend: str | None, window: WindowChoice, screen: TerminalChoice, choice: PluginChoice
-) -> int:
+def command(what: str, frontend: str | None, window: WindowChoice, screen: TerminalChoice, choice: PluginChoice) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
     Opens a window where there is a display, else works in the terminal; where there is none either, plays a script and
