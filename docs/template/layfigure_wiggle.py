@@ -3,10 +3,15 @@
 import random
 
 import numpy as np
+from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.records import Renderer, Technique
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import Action, Best, Control, EnabledSet, LimbPick, Offer, PoseSet, Slider
+from layfigure.techniques.control_values import checked_value
+
+CONTROLS = (Action("shake", "Shake again", ("m",)), Slider("amount", "Amount", 0, 90, 5, ("-", "+"), "°"))
+FIELDS = {"version", "pose", "enabled", "amount", "round"}
 
 
 class Wiggle:
@@ -14,6 +19,7 @@ class Wiggle:
 
     def __init__(self, bench):
         self.figure = bench.figure
+        self.limbs = len(bench.figure.limbs)
 
     def start(self, setting):
         return {"version": 1, "pose": setting.pose, "enabled": setting.enabled, "amount": 20.0, "round": 0}
@@ -24,19 +30,19 @@ class Wiggle:
 
     def tell(self, state, event):
         match event:
-            case LimbPick(candidate, limbs):
+            case LimbPick(candidate, limbs) if candidate in range(9) and set(limbs) <= set(range(self.limbs)):
                 return {**state, "pose": state["pose"].with_joints_of(self._shaken(state, candidate), limbs)}
-            case Best(candidate):
+            case Best(candidate) if candidate in range(9):
                 return {**state, "pose": self._shaken(state, candidate), "round": state["round"] + 1}
-            case Control("shake"):
+            case Control("shake", None):
                 return {**state, "round": state["round"] + 1}
-            case Control("amount", value):
-                return {**state, "amount": value}
+            case Control():
+                return {**state, "amount": checked_value(CONTROLS, event)}
             case PoseSet(pose):
                 return {**state, "pose": pose}
             case EnabledSet(enabled):
                 return {**state, "enabled": enabled}
-        return state
+        raise ImpossibleError("wiggling has no use for that")
 
     def recommend(self, state):
         return state["pose"]
@@ -47,6 +53,8 @@ class Wiggle:
         return {**state, "pose": plain, "enabled": sorted(state["enabled"])}
 
     def load(self, data):
+        if data.get("version") != 1 or not set(data) >= FIELDS:
+            raise LayfigureError("this is not a state of Wiggle 1; start the technique again")
         pose = Pose.of(data["pose"]["angles"], data["pose"]["translation"])
         return {**data, "pose": pose, "enabled": frozenset(data["enabled"])}
 
@@ -67,13 +75,15 @@ class Dots:
         for (left, top, width, height), (first, last), background in zip(
             render_list.rectangles, render_list.slices, render_list.backgrounds, strict=True
         ):
-            view = target.pixels[top : top + height, left : left + width]
+            above, before = max(top, 0), max(left, 0)
+            view = target.pixels[above : max(top + height, 0), before : max(left + width, 0)]
             view[:] = packed(background)
             for item in range(first, last):
                 x, y, _ = render_list.points[item, 0]
-                row, column = int(y) - top, int(x) - left
-                rgb = render_list.palette[render_list.colours[item]]
-                view[max(row - 2, 0) : max(row + 3, 0), max(column - 2, 0) : max(column + 3, 0)] = packed(rgb)
+                if np.isfinite(x) and np.isfinite(y):
+                    row, column = int(y) - above, int(x) - before
+                    dot = view[max(row - 2, 0) : max(row + 3, 0), max(column - 2, 0) : max(column + 3, 0)]
+                    dot[:] = packed(render_list.palette[render_list.colours[item]])
 
 
 def packed(rgb):
@@ -83,9 +93,8 @@ def packed(rgb):
 
 @hookimpl
 def layfigure_techniques():
-    controls = (Action("shake", "Shake again", ("m",)), Slider("amount", "Amount", 0, 90, 5, ("-", "+"), "°"))
     channels = frozenset({"limb_pick", "best", "control"})
-    return [Technique("wiggle", "Wiggle", Wiggle, channels, controls)]
+    return [Technique("wiggle", "Wiggle", Wiggle, channels, CONTROLS)]
 
 
 @hookimpl

@@ -76,15 +76,39 @@ def load_bindings(host: Host, keymap: str) -> tuple[Binding, ...]:
     Raises:
         LayfigureError: no such keymap, or one that cannot be read.
     """
-    from layfigure.session.keymap import parse_keymap
+    from layfigure.session.keymap import extended_keymap, parse_keymap
 
-    shipped = {path.stem: path for path in resources.data("keymaps").glob("*.toml")}
-    if keymap not in shipped:
-        raise LayfigureError(f'there is no keymap "{keymap}"; it can be {", ".join(sorted(shipped))}')
-    found = list(parse_keymap(read_text(shipped[keymap]), str(shipped[keymap])))
-    for record in host.keymaps.values():
-        found.extend(parse_keymap(record.toml, f"keymap {record.id} of plug-in {host.owner(record)}"))
+    found: list[Binding] = []
+    for source, text in _with_extended(keymap):
+        found.extend(parse_keymap(text, source))
+    added = [(f"keymap {each.id} of plug-in {host.owner(each)}", each.toml) for each in host.keymaps.values()]
     own = places.config() / "keymap.toml"
     if own.is_file():
-        found.extend(parse_keymap(read_text(own), str(own)))
+        added.append((str(own), read_text(own)))
+    for source, text in added:
+        if extended_keymap(text, source):
+            raise LayfigureError(f'{source}: "extends" is for shipped keymaps; this one comes after the one in use')
+        found.extend(parse_keymap(text, source))
     return tuple(found)
+
+
+def keymap_names() -> tuple[str, ...]:
+    """Return the names of the shipped keymaps in alphabetical order."""
+    return tuple(sorted(path.stem for path in resources.data("keymaps").glob("*.toml")))
+
+
+def _with_extended(keymap: str) -> list[tuple[str, str]]:
+    """Return (source, text) of a shipped keymap, after those that it extends."""
+    from layfigure.session.keymap import extended_keymap
+
+    chain: list[tuple[str, str]] = []
+    while keymap:
+        if keymap not in keymap_names():
+            raise LayfigureError(f'there is no keymap "{keymap}"; it can be {", ".join(keymap_names())}')
+        path = resources.data("keymaps", f"{keymap}.toml")
+        entry = (str(path), read_text(path))
+        if entry in chain:
+            raise LayfigureError(f"{path}: extends itself in a circle")
+        chain.insert(0, entry)
+        keymap = extended_keymap(entry[1], entry[0])
+    return chain

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -75,24 +75,27 @@ def session_options(host: Host, configuration: Configuration, frontend: str) -> 
     from layfigure.configuration import load_bindings
     from layfigure.session.session import SessionOptions
 
-    bindings = load_bindings(host, configuration.keymap)
-    if frontend == "terminal":
-        from layfigure_frontends.terminal.reportable import reportable_first
-
-        bindings = reportable_first(bindings)
-    return SessionOptions(
+    options = SessionOptions(
         technique=configuration.technique,
         renderer=configuration.renderer,
         theme=configuration.theme,
         frontend=frontend,
-        bindings=bindings,
+        bindings=load_bindings(host, configuration.keymap),
+        keymap=configuration.keymap,
         technique_options=configuration.options,
         compiled=frontend == "headless",
     )
+    if frontend == "terminal":
+        from layfigure_frontends.terminal.reportable import reportable
+
+        return replace(options, reports=reportable)
+    return options
 
 
-def open_session(choice: PluginChoice, what: str, frontend: str) -> Session:
+def open_session(choice: PluginChoice, what: str, frontend: str, keymap: str = "") -> Session:
     """Return a session on a figure's name, a ``.fig`` file, or any file that opens as a pose.
+
+    ``keymap`` names another keymap than the configuration does.
 
     Raises:
         LayfigureError: it cannot be opened.
@@ -104,6 +107,7 @@ def open_session(choice: PluginChoice, what: str, frontend: str) -> Session:
     from layfigure.session.words import join_line
 
     configuration = load_configuration(choice.config)
+    configuration = replace(configuration, keymap=keymap or configuration.keymap)
     host = open_host(choice)
     options = session_options(host, configuration, frontend)
     suffix = Path(what).suffix.lower() if what else ""

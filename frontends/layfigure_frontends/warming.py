@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from layfigure import compiled
 from layfigure.errors import LayfigureError, PluginError
-from layfigure.plugins.records import Renderer
+from layfigure.plugins.records import Renderer, Solver
 
 if TYPE_CHECKING:
     from layfigure.plugins.host import Host
@@ -21,23 +21,25 @@ Step = tuple[str, Callable[[], object]]
 
 
 def steps(host: Host, also: Iterable[Step] = ()) -> Iterator[Step]:
-    """Yield what makes every kernel ready, as (title, work), in order; a renderer that fails is set aside.
+    """Yield what makes every kernel ready, as (title, work), in order; what fails is set aside with its plug-in.
 
-    ``also`` is what a front end has of its own.
+    What draws comes before what poses: a window that shows solids may be used while solvers still compile.
+    ``also`` is what a front end has of its own, wanted soonest.
     """
     yield "the engine", compiled.load
-    for renderer in list(host.renderers.values()):
-        if renderer.warm is not None:
-            yield renderer.title, _warm(host, renderer)
     yield from also
+    records: list[Renderer | Solver] = [*host.renderers.values(), *host.solvers.values()]
+    for record in records:
+        if record.warm is not None:
+            yield record.title, _warm(host, record)
     yield "a note that all is ready", compiled.mark_warm
 
 
-def _warm(host: Host, renderer: Renderer) -> Callable[[], object]:
+def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
     def work() -> None:
-        assert renderer.warm is not None
+        assert record.warm is not None
         with suppress(PluginError):
-            host.call(renderer, "warming", renderer.warm)
+            host.call(record, "warming", record.warm)
 
     return work
 

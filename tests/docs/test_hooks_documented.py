@@ -1,4 +1,4 @@
-"""Every hook has a page with its true signature, is linked, and its example runs."""
+"""Every hook has a page with its true signature, is linked and tested, and the code on the pages runs."""
 
 import inspect
 import re
@@ -39,6 +39,26 @@ def test_the_examples_run_without_a_fault(hook, monkeypatch):
         host = Host()
         host.register(type("Example", (), {hook: staticmethod(namespace[hook])})(), "example")
         assert host.faults == []
+
+
+@pytest.mark.parametrize("hook", HOOKS)
+def test_every_hook_is_tested_with_the_kit_in_a_file_of_its_own(hook):
+    text = (ROOT / "tests" / "hooks" / f"test_{hook}.py").read_text(encoding="utf-8")
+    assert f"def {hook}(" in text or "make_host(ONE_FILE" in text
+    assert "from layfigure.testing import" in text
+
+
+def test_every_test_of_a_hook_is_of_one_that_exists():
+    files = {path.stem.removeprefix("test_") for path in (ROOT / "tests" / "hooks").glob("test_*.py")}
+    assert files == set(HOOKS)
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda path: path.stem)
+def test_the_code_on_a_page_runs_from_top_to_bottom(page, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    namespace: dict[str, object] = {}
+    for block in re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S):
+        exec(compile(block, page.name, "exec"), namespace)
 
 
 def test_the_readme_names_the_commands_that_ci_runs():

@@ -56,7 +56,7 @@ def test_made_to_raise_it_is_set_aside_and_the_program_goes_on(installed, tmp_pa
     boom = 'raise RuntimeError("boom")'
     text = {
         "import": lambda: boom + "\n" + text,
-        "collect": lambda: text.replace("    controls = (Action", f"    {boom}\n    controls = (Action"),
+        "collect": lambda: text.replace("    channels = frozenset", f"    {boom}\n    channels = frozenset"),
         "make": lambda: text.replace("        self.figure = bench.figure", f"        {boom}"),
         "ask": lambda: text.replace("        shaken = tuple", f"        {boom}\n        shaken = tuple"),
         "tell": lambda: text.replace("        match event:", f"        {boom}\n        match event:"),

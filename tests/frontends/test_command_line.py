@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from layfigure.errors import LayfigureError
+from layfigure_frontends.opening import PluginChoice, open_session
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -167,3 +170,15 @@ def test_a_loop_of_a_breathing_pose_moves_and_comes_back(tmp_path):
             frames.append(image.convert("RGB").tobytes())
     half = len(frames) // 2
     assert frames[1:half] == frames[:half:-1] and frames[0] != frames[half]
+
+
+def test_a_keymap_is_chosen_for_once_on_the_command_line():
+    session = open_session(PluginChoice(), "juxo", "sdl", "maya")
+    assert session.key_table().resolve("up", session.situation) == "parent-limb"
+    default = open_session(PluginChoice(), "juxo", "sdl")
+    assert default.key_table().resolve("up", default.situation) == "view top"
+
+
+def test_a_keymap_that_does_not_exist_is_refused_with_those_that_do():
+    with pytest.raises(LayfigureError, match='no keymap "emacs"; it can be blender, layfigure, maya'):
+        open_session(PluginChoice(), "juxo", "sdl", "emacs")

@@ -10,7 +10,7 @@ from layfigure_frontends.warming import Warming, steps
 
 
 class Host:
-    """A host with one renderer to warm and one that needs nothing."""
+    """A host with one renderer to warm and one that needs nothing, and one solver to warm."""
 
     def __init__(self, fails=False):
         self.warmed = []
@@ -19,6 +19,7 @@ class Host:
             "raster": SimpleNamespace(title="Shaded solids", warm=lambda: self.warmed.append("raster")),
             "stick": SimpleNamespace(title="Sticks", warm=None),
         }
+        self.solvers = {"ik.dls": SimpleNamespace(title="Solver", warm=lambda: self.warmed.append("ik.dls"))}
 
     def call(self, record, doing, function):
         if self.fails:
@@ -58,10 +59,19 @@ def test_the_note_that_all_is_ready_comes_last(engine):
     for _, work in steps(host):
         work()
     assert engine == ["load", "mark"]
-    assert host.warmed == ["raster"]
+    assert host.warmed == ["raster", "ik.dls"]
 
 
-def test_a_renderer_that_fails_does_not_keep_the_others_waiting(engine):
+def test_every_step_has_the_title_of_what_it_warms(engine):
+    assert [title for title, _ in steps(Host())] == [
+        "the engine",
+        "Shaded solids",
+        "Solver",
+        "a note that all is ready",
+    ]
+
+
+def test_what_fails_does_not_keep_the_others_waiting(engine):
     for _, work in steps(Host(fails=True)):
         work()
     assert engine == ["load", "mark"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
@@ -105,7 +106,7 @@ def _lenses(figure: Figure, shots: Floats) -> tuple[Floats, Floats, Floats]:
 
 def _project(lenses: Floats, shifts: Floats, points: Floats) -> Floats:
     """Return (m, ..., 3) world points in pixels."""
-    flat = points.reshape(len(points), -1, 3)
+    flat = points.reshape(len(points), math.prod(points.shape[1:-1]), 3)  # with no view there is nothing to infer
     return np.asarray((flat @ np.swapaxes(lenses, -1, -2) + shifts[:, None]).reshape(points.shape))
 
 

@@ -7,7 +7,9 @@ import importlib.util
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
+from typing import NoReturn
 
 from layfigure.errors import PluginError
 
@@ -49,24 +51,45 @@ def _candidates(selection: Selection) -> Iterator[Found]:
         return
     in_folder = sorted(selection.folder.glob("*.py")) if selection.folder and selection.folder.is_dir() else []
     for path in [*in_folder, *selection.files]:
-        yield Found(path.stem, str(path), _loader(path))
+        yield plugin_file(path)
+
+
+def plugin_file(path: Path) -> Found:
+    """Return a one-file plug-in; it is called like its file."""
+    return Found(path.stem, str(path), _loader(path))
 
 
 def _is_own(point: importlib.metadata.EntryPoint) -> bool:
     return point.dist is not None and point.dist.name == _OWN_DISTRIBUTION
 
 
+class _FreshSource(SourceFileLoader):
+    """Reads the file at each load: Python's compiled files cannot tell two saves within one second apart."""
+
+    def path_stats(self, path: str) -> NoReturn:
+        """Refuse, which is how a loader says that there is nothing to go by."""
+        raise OSError(f"{path}: compiled files are not kept for plug-in files")
+
+
 def _loader(path: Path) -> Callable[[], object]:
     def load() -> object:
         if not path.is_file():
             raise PluginError(f"{path}: there is no such plug-in file; check the name")
-        name = f"layfigure_plugin_file_{path.stem}"
-        spec = importlib.util.spec_from_file_location(name, path)
-        if spec is None or spec.loader is None:
+        if path.suffix != ".py":
             raise PluginError(f"{path}: is not a Python file; a plug-in file ends in .py")
+        name = f"layfigure_plugin_file_{path.stem}"
+        spec = importlib.util.spec_from_file_location(name, path, loader=_FreshSource(name, str(path)))
+        assert spec is not None
+        assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
+        before = sys.modules.get(name)
         sys.modules[name] = module
-        spec.loader.exec_module(module)
+        try:
+            spec.loader.exec_module(module)
+        except BaseException:
+            sys.modules.pop(name)
+            sys.modules.update({name: before} if before is not None else {})
+            raise
         return module
 
     return load

@@ -10,6 +10,7 @@ import os
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeVar
 
 import pluggy
@@ -51,10 +52,12 @@ class Host:
     """Holds the plug-ins of one program run and guards every call to them.
 
     Mappings are from record id to record, sorted by id. ``faults`` grows; a plug-in with a fault is not called again.
-    With ``LAYFIGURE_STRICT=1`` in the environment faults are raised instead, for plug-in authors.
+    Where ``strict`` is true, or with ``LAYFIGURE_STRICT=1`` in the environment, faults are raised instead, for
+    plug-in authors.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, strict: bool = False) -> None:
+        self.strict = strict
         self.faults: list[Fault] = []
         self.techniques: dict[str, Technique] = {}
         self.renderers: dict[str, Renderer] = {}
@@ -65,6 +68,7 @@ class Host:
         self.figures: dict[str, FigureSource] = {}
         self.interpolations: dict[str, Interpolation] = {}
         self._owners: dict[tuple[type, str], str] = {}
+        self._origins: dict[str, str] = {}
         self._relay = pluggy.PluginManager("layfigure")
         self._relay.add_hookspecs(hookspecs)
 
@@ -88,7 +92,35 @@ class Host:
         except Exception as error:  # an import can raise anything, SystemExit is the author's own wish
             self._fault(found.name, "importing it", error)
             return
+        self._origins[found.name] = found.origin
         self.register(plugin, found.name)
+
+    def swap(self, found: Found) -> None:
+        """Load a plug-in while the program runs; it takes the place of what the same file brought before.
+
+        Raises:
+            PluginError: it fails, or claims what belongs to another plug-in; everything is as it was before.
+        """
+        trial = Host(strict=self.strict)
+        trial.admit(found)
+        if trial.faults:
+            raise PluginError(f"{found.origin}: {trial.faults[0].doing}: {trial.faults[0].sentence}")
+        self._check_claims(found, trial)
+        self._set_aside(found.name)
+        plugin = trial._relay.get_plugin(found.name)
+        assert plugin is not None
+        self._relay.register(plugin, found.name)
+        self._origins[found.name] = found.origin
+        for (_, kind, mine), (_, _, brought) in zip(self._shelves(), trial._shelves(), strict=True):
+            mine.update(brought)
+            self._owners.update({(kind, identifier): found.name for identifier in brought})
+            _sort(mine)
+
+    def records_of(self, plugin: str) -> tuple[Record, ...]:
+        """Return the records in service that a plug-in handed over."""
+        return tuple(
+            record for *_, records in self._shelves() for record in records.values() if self.owner(record) == plugin
+        )
 
     def register(self, plugin: object, name: str) -> None:
         """Put a plug-in (a module or an object with hook implementations) into service under a name."""
@@ -146,15 +178,33 @@ class Host:
                 return answer  # type: ignore[no-any-return]
         return None
 
+    def _shelves(self) -> tuple[tuple[str, type[Any], dict[str, Any]], ...]:
+        """Return where the records of each collecting hook stand."""
+        return (
+            ("layfigure_techniques", Technique, self.techniques),
+            ("layfigure_renderers", Renderer, self.renderers),
+            ("layfigure_solvers", Solver, self.solvers),
+            ("layfigure_commands", Command, self.commands),
+            ("layfigure_keys", Keymap, self.keymaps),
+            ("layfigure_overlays", Overlay, self.overlays),
+            ("layfigure_figures", FigureSource, self.figures),
+            ("layfigure_interpolations", Interpolation, self.interpolations),
+        )
+
     def _collect(self, plugin: object, name: str) -> None:
-        self._take(plugin, name, "layfigure_techniques", (Technique, self.techniques))
-        self._take(plugin, name, "layfigure_renderers", (Renderer, self.renderers))
-        self._take(plugin, name, "layfigure_solvers", (Solver, self.solvers))
-        self._take(plugin, name, "layfigure_commands", (Command, self.commands))
-        self._take(plugin, name, "layfigure_keys", (Keymap, self.keymaps))
-        self._take(plugin, name, "layfigure_overlays", (Overlay, self.overlays))
-        self._take(plugin, name, "layfigure_figures", (FigureSource, self.figures))
-        self._take(plugin, name, "layfigure_interpolations", (Interpolation, self.interpolations))
+        for hook, kind, records in self._shelves():
+            self._take(plugin, name, hook, (kind, records))
+
+    def _check_claims(self, found: Found, trial: Host) -> None:
+        """Refuse a plug-in whose name or record ids belong to one that came from elsewhere."""
+        before = self._origins.get(found.name, "")
+        if found.name in self.plugins and not _same_file(before, found.origin):
+            raise PluginError(f'{found.origin}: a plug-in "{found.name}" is in service already; rename the file')
+        for (_, kind, mine), (_, _, brought) in zip(self._shelves(), trial._shelves(), strict=True):
+            for identifier in brought:
+                owner = self.owner(mine[identifier]) if identifier in mine else found.name
+                if owner != found.name:
+                    raise PluginError(f'{found.origin}: {kind.__name__.lower()} "{identifier}" belongs to {owner}')
 
     def _take(self, plugin: object, name: str, hook: str, place: tuple[type[R], dict[str, R]]) -> None:
         """Put the records that one plug-in hands over for one hook into their mapping."""
@@ -195,7 +245,7 @@ class Host:
         return answer
 
     def _fault(self, plugin: str, doing: str, error: BaseException) -> Fault:
-        if os.environ.get("LAYFIGURE_STRICT") == "1":
+        if self.strict or os.environ.get("LAYFIGURE_STRICT") == "1":
             raise error
         sentence = " ".join(str(error).split()) or type(error).__name__
         if not isinstance(error, LayfigureError):
@@ -208,18 +258,14 @@ class Host:
         plugin = self._relay.get_plugin(name)
         if plugin is not None:
             self._relay.unregister(plugin)
-        self._drop(self.techniques, name)
-        self._drop(self.renderers, name)
-        self._drop(self.solvers, name)
-        self._drop(self.commands, name)
-        self._drop(self.keymaps, name)
-        self._drop(self.overlays, name)
-        self._drop(self.figures, name)
-        self._drop(self.interpolations, name)
+        for _, kind, records in self._shelves():
+            for identifier in [i for i, record in records.items() if self.owner(record) == name]:
+                del records[identifier]
+                self._owners.pop((kind, identifier), None)
 
-    def _drop(self, records: dict[str, R], owner: str) -> None:
-        for identifier in [i for i, record in records.items() if self.owner(record) == owner]:
-            del records[identifier]
+
+def _same_file(one: str, other: str) -> bool:
+    return bool(one) and Path(one).resolve() == Path(other).resolve()
 
 
 def _sort(records: dict[str, R]) -> None:

@@ -145,29 +145,31 @@ def _mirrored(figure: Figure, lock: Lock) -> Lock:
             return JointLock(twin)
 
 
-def broken(figure: Figure, pose: Pose, locks: Iterable[Lock]) -> tuple[Lock, ...]:
+def broken(figure: Figure, pose: Pose, locks: Iterable[Lock], share: float = 1.0) -> tuple[Lock, ...]:
     """Return the locks that a pose does not keep: ends farther off than :data:`TOLERANCE`, turns than :data:`DEGREES`.
 
-    Bands cannot be broken, and whether a joint has kept its angles only its former pose can tell.
+    ``share`` asks for less than what is allowed. Bands cannot be broken, and whether a joint has kept its angles only
+    its former pose can tell.
     """
     listed = [lock for lock in locks if isinstance(lock, Pin | PinOrientation | Hold)]
     if not listed:
         return ()
     placement = place_pose(figure, pose)
     tips = tips_of(figure, placement)
-    allowed = TOLERANCE * body_height(figure)
+    allowed = (share * TOLERANCE * body_height(figure), share * DEGREES)
     return tuple(lock for lock in listed if not _kept(lock, placement, tips, allowed))
 
 
-def _kept(lock: Lock, placement: Placement, tips: Floats, allowed: float) -> bool:
+def _kept(lock: Lock, placement: Placement, tips: Floats, allowed: tuple[float, float]) -> bool:
+    units, degrees = allowed
     match lock:
         case Pin(limb, position):
-            return bool(np.linalg.norm(tips[limb] - position) <= allowed)
+            return bool(np.linalg.norm(tips[limb] - position) <= units)
         case Hold(limb, other, offset):
-            return bool(np.linalg.norm(tips[limb] - tips[other] - offset) <= allowed)
+            return bool(np.linalg.norm(tips[limb] - tips[other] - offset) <= units)
         case PinOrientation(limb, turn):
             between = rotation_matrix(turn).T @ placement.limb_to_world[limb]
-            return bool(np.linalg.norm(rotation_vector(between)) <= DEGREES)
+            return bool(np.linalg.norm(rotation_vector(between)) <= degrees)
         case _:
             return True
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import dataclass, field, replace
 
 from layfigure.errors import ImpossibleError
 from layfigure.session.document import Document
@@ -53,3 +54,15 @@ class History:
             raise ImpossibleError("there is nothing to redo")
         self.done.append(self.undone.pop())
         return self.done[-1]
+
+    def forget_states(self, techniques: Collection[str]) -> None:
+        """Drop what some techniques remembered: another plug-in now goes by their names and could not read it."""
+        for changes in (self.done, self.undone) if techniques else ():
+            changes[:] = [
+                Change(c.title, _without(c.before, techniques), _without(c.after, techniques)) for c in changes
+            ]
+
+
+def _without(document: Document, techniques: Collection[str]) -> Document:
+    kept = {name: state for name, state in document.states.items() if name not in techniques}
+    return document if len(kept) == len(document.states) else replace(document, states=kept)

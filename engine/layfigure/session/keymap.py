@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -90,14 +90,31 @@ def parse_keymap(text: str, source: str) -> tuple[Binding, ...]:
     Raises:
         LayfigureError: it is not TOML, or a binding is not one; the sentence says which.
     """
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise LayfigureError(f"{source}: is not a keymap: {error}") from None
-    rows = data.get("binding", [])
+    rows = _tables(text, source).get("binding", [])
     if not isinstance(rows, list):
         raise LayfigureError(f'{source}: bindings are written as [[binding]], with "keys" and "command"')
     return tuple(_binding(row, f"{source}: binding {count}") for count, row in enumerate(rows, start=1))
+
+
+def extended_keymap(text: str, source: str) -> str:
+    """Return the name of the keymap that a keymap's text says it extends, or an empty string.
+
+    Its bindings come first and those of the text after them, so that the text has to give only what differs.
+
+    Raises:
+        LayfigureError: it is not TOML, or what it extends is not a name.
+    """
+    extends = _tables(text, source).get("extends", "")
+    if not isinstance(extends, str):
+        raise LayfigureError(f'{source}: "extends" must be the name of a keymap in quotes')
+    return extends
+
+
+def _tables(text: str, source: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise LayfigureError(f"{source}: is not a keymap: {error}") from None
 
 
 def _binding(row: Any, where: str) -> Binding:
@@ -135,6 +152,13 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
                 yield Binding(control.keys, control.name, control.title, title, technique=technique)
             case _:
                 pass
+
+
+def told_first(bindings: Iterable[Binding], reports: Callable[[str], bool] | None) -> Iterator[Binding]:
+    """Yield bindings with the keys that a front end can report before its others, so that those are the ones shown."""
+    for binding in bindings:
+        keys = binding.keys if reports is None else tuple(sorted(binding.keys, key=lambda key: not reports(key)))
+        yield replace(binding, keys=keys)
 
 
 def spoken(key: str) -> str:

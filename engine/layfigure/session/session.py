@@ -10,11 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from layfigure.configuration import load_bindings
 from layfigure.drawing.joint_kinds import coded_by_kind
 from layfigure.drawing.render_list import PLAIN, Look, RenderList, Target
 from layfigure.errors import ImpossibleError, LayfigureError, PluginError
+from layfigure.plugins.discovery import Found
 from layfigure.plugins.host import Host
-from layfigure.plugins.records import Command, RendererObject
+from layfigure.plugins.records import Command, RendererObject, Technique
 from layfigure.poses.packing import pack_pose
 from layfigure.session.bench import Option
 from layfigure.session.commands import BUILT_IN
@@ -25,7 +27,7 @@ from layfigure.session.events import Event
 from layfigure.session.figures import reference_to
 from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
-from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken
+from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken, told_first
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.routing import route
@@ -48,6 +50,8 @@ class SessionOptions:
     theme: str = "dark"
     frontend: str = "headless"
     bindings: tuple[Binding, ...] = ()
+    reports: Callable[[str], bool] | None = None  # which keys the front end can report; None: all
+    keymap: str = ""  # the name that the bindings were loaded by, so that plug-ins which come later add theirs
     technique_options: dict[str, dict[str, Option]] = field(default_factory=dict)
     folder: Path = Path()
     compiled: bool = True  # whether machine code is ready, so that compiled renderers may draw
@@ -76,7 +80,7 @@ class Session:
         self._renderers: dict[str, RendererObject] = {}
         self._stage = Stage(self)
         self._before_preview: Document | None = None
-        self._key_table: tuple[tuple[str, ...], KeyTable] | None = None
+        self._key_table: tuple[tuple[Technique, ...], KeyTable] | None = None
         self._faults_seen = 0
         self.log: list[str] = []
         self.begin(document)
@@ -210,7 +214,7 @@ class Session:
 
     def restore(self, document: Document) -> None:
         """Make an older document the present one, as undo and redo do."""
-        before, self.document = self.document, document
+        before, self.document = self.document, self._in_service(document)
         self.view = replace(self.view, hover=None, selected=self._still_there(self.view.selected))
         self._announce(before)
 
@@ -254,6 +258,23 @@ class Session:
         """Switch to another technique; the pose stays exactly as it is."""
         self.commit(f"use {technique}", self.workshop.use(self.document, technique), entry=False)
 
+    def swap_plugin(self, found: Found) -> None:
+        """Bring a plug-in in, or a newer form of it, while the session runs; the pose stays exactly as it is.
+
+        Raises:
+            PluginError: it fails; everything is as it was before.
+        """
+        present = dict(self.host.techniques)
+        self.host.swap(found)
+        other = {name for name, record in present.items() if self.host.techniques.get(name) is not record}
+        document = self.workshop.renew(self.document, {name: present[name] for name in other})
+        self.history.forget_states(other)
+        self._renderers.clear()
+        if self.options.keymap:
+            self.options = replace(self.options, bindings=load_bindings(self.host, self.options.keymap))
+        self._key_table = None
+        self.document = self._in_service(document)
+
     def say(self, sentence: str) -> None:
         """Put a sentence into the status line."""
         self.status = sentence
@@ -288,12 +309,15 @@ class Session:
 
     def key_table(self) -> KeyTable:
         """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""
-        in_service = tuple(self.host.techniques)
+        in_service = tuple(self.host.techniques.values())
         if self._key_table is None or self._key_table[0] != in_service:
             bindings: list[Binding] = []
             for record in self.host.techniques.values():
                 bindings.extend(control_bindings(record.id, record.title, record.controls))
-            self._key_table = in_service, KeyTable((*bindings, *self.options.bindings))
+            self._key_table = (
+                in_service,
+                KeyTable(tuple(told_first((*bindings, *self.options.bindings), self.options.reports))),
+            )
         return self._key_table[1]
 
     def key_for(self, command: str) -> str:
@@ -323,16 +347,23 @@ class Session:
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
-    def _opened(self, document: Document) -> Document:
+    def _opened(self, document: Document, preferred: str = "") -> Document:
         if document.technique:
             return document
-        for technique in dict.fromkeys([self.options.technique, *self.host.techniques]):
+        for technique in dict.fromkeys([preferred or self.options.technique, *self.host.techniques]):
             if technique in self.host.techniques:
                 try:
                     return self.workshop.use(document, technique)
                 except PluginError as error:
                     self.say(str(error))
         return document
+
+    def _in_service(self, document: Document) -> Document:
+        """Return a document whose technique is in service and has a state; plug-ins may have gone since it was made."""
+        states = {name: state for name, state in document.states.items() if name in self.host.techniques}
+        if document.technique in states:
+            return document if len(states) == len(document.states) else replace(document, states=states)
+        return self._opened(replace(document, technique="", states=states), document.technique)
 
     def _leave_technique(self, reason: str) -> None:
         """Go on without a technique that failed: the pose stays, another technique takes over."""

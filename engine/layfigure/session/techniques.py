@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -67,6 +68,33 @@ class Workshop:
                 state = self.host.call(record, "telling", worker.tell, state, PoseSet(document.pose, document.fresh))
         moved = document.with_state(technique, state, document.pose)
         return replace(moved, technique=technique)
+
+    def renew(self, document: Document, former: Mapping[str, Technique]) -> Document:
+        """Forget every object made by plug-ins, and hand the states of ``former`` techniques on to their successors.
+
+        A state that the successor cannot read, or that stands at another pose, is dropped.
+        """
+        dumped = {name: self._dumped(document, former[name]) for name in former if name in document.states}
+        self._objects.clear()
+        self._offer = None
+        self.solvers = Solvers(self.host)
+        states = {name: state for name, state in document.states.items() if name not in former}
+        for name in set(dumped) & set(self.host.techniques):
+            try:
+                worker = self._object(document.figure, name)
+                state = worker.load(dumped[name])
+                if name != document.technique or worker.recommend(state) == document.pose:
+                    states[name] = state
+            except Exception:  # what another form of the plug-in wrote down may be beyond this one; that is no fault
+                continue
+        return replace(document, states=MappingProxyType(states))
+
+    def _dumped(self, document: Document, former: Technique) -> Mapping[str, Any]:
+        """Return a state as plain data; nothing where the technique that is leaving cannot say it any more."""
+        try:
+            return self._object(document.figure, former.id).dump(document.states[former.id])
+        except Exception:  # it has left already: its faults are nobody's concern now
+            return {}
 
     def tell(self, document: Document, event: Event) -> Document:
         """Return the document after the technique in use heard an event; its recommendation is the new pose.

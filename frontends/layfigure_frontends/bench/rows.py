@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 
 @dataclass(frozen=True)
@@ -13,17 +13,31 @@ class Row:
     """A measurement: what was done, the median, the target of the house, and a peer measured in the same run.
 
     ``ratio`` is peer / ours (greater than 1: we are faster), None without a peer.
+
+    Where several systems do the same work, each has a row of its own: ``system`` says whose, ``measures`` holds further
+    figures by heading, and ``ratio`` is this system's value / that of the first of ours. ``value`` is None where there
+    is nothing to tell but the note, such as a peer that is not installed.
     """
 
     area: str
     work: str
-    value: float
+    value: float | None
     unit: str
     target: str = ""
     peer: str = ""
     peer_value: float | None = None
     ratio: float | None = None
     note: str = ""
+    system: str = ""
+    measures: Mapping[str, float] = field(default_factory=dict)
+
+
+def compared(rows: Sequence[Row], system: str) -> list[Row]:
+    """Return rows of one work with their values as multiples of one system's; as they are where it has none."""
+    first = next((row.value for row in rows if row.system == system), None)
+    if not first:
+        return list(rows)
+    return [row if row.value is None else replace(row, ratio=row.value / first) for row in rows]
 
 
 def median_seconds(work: Callable[[], object], repeats: int, warm_up: int = 3) -> float:

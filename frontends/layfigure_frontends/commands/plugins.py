@@ -18,6 +18,7 @@ def command(as_json: bool, choice: PluginChoice) -> int:
     kinds = {
         "techniques": host.techniques,
         "renderers": host.renderers,
+        "solvers": host.solvers,
         "commands": host.commands,
         "keymaps": host.keymaps,
         "overlays": host.overlays,

@@ -20,6 +20,7 @@ class WindowChoice:
 
     scale: float | None
     size: str | None
+    keymap: str
     no_restore: bool
 
 
@@ -28,6 +29,7 @@ window_options = as_record(
     WindowChoice,
     click.option("--scale", type=click.FloatRange(0.5, 4.0), help="Size of everything in the window."),
     click.option("--size", metavar="WxH", help="Size of the window in pixels."),
+    click.option("--keymap", default="", metavar="NAME", help="Keys: layfigure, blender or maya."),
     click.option("--no-restore", is_flag=True, help="Do not offer back a session that was not closed."),
 )
 
@@ -77,7 +79,7 @@ def command(what: str, frontend: str | None, window: WindowChoice, screen: Termi
         from layfigure_frontends.terminal import app
 
         asked = app.TerminalOptions(COLOURS[screen.color], screen.graphics, screen.fps, places.state())
-        return app.run(lambda: _interactive(choice, what, place, restore=not window.no_restore), asked)
+        return app.run(lambda: _interactive(choice, what, place, window), asked)
     if place == "headless":
         from layfigure_frontends.headless import pose_without_window
 
@@ -86,17 +88,17 @@ def command(what: str, frontend: str | None, window: WindowChoice, screen: Termi
     from layfigure_frontends.sdl.app import WindowOptions, run
 
     options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
-    return run(lambda: _interactive(choice, what, place, restore=not window.no_restore), options)
+    return run(lambda: _interactive(choice, what, place, window), options)
 
 
-def _interactive(choice: PluginChoice, what: str, place: str, *, restore: bool) -> Session:
+def _interactive(choice: PluginChoice, what: str, place: str, window: WindowChoice) -> Session:
     from layfigure_frontends.opening import open_session
     from layfigure_frontends.recovery import Recovery
 
-    session = open_session(choice, what, place)
+    session = open_session(choice, what, place, window.keymap)
     recovery = Recovery(session)
     session.on_closed = recovery.close
-    if restore:
+    if not window.no_restore:
         recovery.offer()
     return session
 

@@ -1,11 +1,6 @@
-"""Which keys every terminal can report, and bindings with those named first."""
+"""Which keys every terminal can report."""
 
 from __future__ import annotations
-
-from collections.abc import Iterable
-from dataclasses import replace
-
-from layfigure.session.keymap import Binding
 
 _TAKEN = frozenset("mihj[")  # Ctrl with these is Enter, Tab, Backspace, line feed and Escape
 _MULTIPLEXERS = frozenset("ab")  # Ctrl-A and Ctrl-B belong to screen and tmux
@@ -22,10 +17,3 @@ def reportable(key: str) -> bool:
         plain = len(name) == 1 and name.isalpha() and name not in _TAKEN | _MULTIPLEXERS
         return plain and held == ["ctrl"]
     return "alt" not in held and not ("shift" in held and name in _SAME_WITH_SHIFT)
-
-
-def reportable_first(bindings: Iterable[Binding]) -> tuple[Binding, ...]:
-    """Return the bindings with the keys that a terminal can report named first, so that they are the ones shown."""
-    return tuple(
-        replace(binding, keys=tuple(sorted(binding.keys, key=lambda key: not reportable(key)))) for binding in bindings
-    )

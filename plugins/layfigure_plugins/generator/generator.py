@@ -30,7 +30,7 @@ from layfigure_plugins.generator.conditions import APART, FILTERS, ORDERED
 from layfigure_plugins.generator.cones import cones
 from layfigure_plugins.generator.page import Page, Pages
 from layfigure_plugins.generator.plain_data import dumped, loaded
-from layfigure_plugins.generator.state import PAGES, GeneratorState, mutated, opening
+from layfigure_plugins.generator.state import PAGES, Generation, GeneratorState, mutated, opening
 
 State = GeneratorState
 
@@ -68,7 +68,7 @@ class Generator:
             title=_title(state),
             note=page.note,
             values=_values(state),
-            address=write_address(self.figure, state.generation, state.page),
+            address=write_address(self.figure, self._shown(state), state.page),
             cones=lambda: cones(self.figure, state),
             variants=lambda count, intensity: variants(self.figure, state, (count, intensity), self.bench.keep),
         )
@@ -111,10 +111,14 @@ class Generator:
         """
         return loaded(self.figure, data)
 
+    def _shown(self, state: State) -> Generation:
+        """Return the generation with limbs that were disabled since it was made as they are in the seed."""
+        return state.generation.settled(state.seed, frozenset(self.figure.movable) - state.enabled)
+
     def _page(self, state: State) -> Page:
         """Return the page on show; where there is none to show, the seed alone and why."""
         try:
-            page = self.pages.page(state.generation, state.page)
+            page = self.pages.page(self._shown(state), state.page)
         except ImpossibleError as error:  # no solver keeps locks yet
             return Page((state.seed,), f"{error}; this is your pose")
         return page if page.candidates else Page((state.seed,), page.note)

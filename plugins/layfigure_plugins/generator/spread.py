@@ -11,6 +11,7 @@ from layfigure.drawing.camera import FRONT
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import limb_ends, place
 from layfigure.poses.pose import Pose
+from layfigure.techniques import spreading
 
 Floats = NDArray[np.float64]
 
@@ -28,11 +29,4 @@ def far_apart(figure: Figure, seed: Pose, poses: Sequence[Pose], count: int) -> 
     sorted, so that the order of candidates stays the eye's.
     """
     points = seen(figure, [seed, *poses])
-    nearest = np.linalg.norm(points[1:] - points[0], axis=1)
-    chosen: list[int] = []
-    for _ in range(min(count, len(poses))):
-        farthest = int(np.round(nearest, 6).argmax())
-        chosen.append(farthest)
-        nearest = np.minimum(nearest, np.linalg.norm(points[1:] - points[1 + farthest], axis=1))
-        nearest[chosen] = -1.0
-    return sorted(chosen)
+    return spreading.far_apart(points[1:], points[:1], count, 0.0)

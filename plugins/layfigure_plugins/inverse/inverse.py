@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layfigure.drawing.marks import Mark
 from layfigure.errors import ImpossibleError, LayfigureError
@@ -44,7 +45,17 @@ PRECISION = 0.0005
 STRIDE = 0.02
 """The longest step of a drag, as a share of the figure's height: a pointer that jumps is followed in several."""
 
-MOST_STRIDES = 40
+BESIDE_LOCKS = 0.004
+"""The same beside locks: less than what locks allow."""
+
+MOST_STRIDES, PATIENCE, PROGRESS = 60, 2, 0.02
+"""How many strides one movement of the pointer may take, how many in vain, and what share of one is not in vain."""
+
+MENDED = 0.5
+"""The share of what locks allow that a drag may use up before they are met again."""
+
+FARTHEST = 1e5
+"""How far from the origin a goal may be on each axis, in figure units; poses farther off could not be stored."""
 
 
 @dataclass(frozen=True)
@@ -180,8 +191,9 @@ class Inverse:
         return replace(moved, memory=(), note="", goal=None, limb=state.limb if event.limbs else -1)
 
     def _check(self, state: InverseState, goal: Goal) -> None:
-        if not 0 <= goal.limb < len(self.figure.limbs) or not np.isfinite(goal.position).all():
-            raise ImpossibleError("a goal needs a limb of the figure and a finite place")
+        near = np.abs(goal.position).max() <= FARTHEST  # not so for what is no number
+        if not 0 <= goal.limb < len(self.figure.limbs) or not near:
+            raise ImpossibleError(f"a goal needs a limb of the figure and a place within {FARTHEST:.0f} units")
         if any(isinstance(lock, Pin) and lock.limb == goal.limb for lock in state.locks):
             raise ImpossibleError(f"the {self.figure.names[goal.limb]} is pinned in its place; release it first")
 
@@ -194,28 +206,40 @@ class Inverse:
         return solver.solve(state.pose, self._problem(state, goal, follow, YIELDING))
 
     def _dragged(self, state: InverseState, goal: Goal, follow: Following) -> Solution:
-        """Follow the pointer in strides, so that a jump of the pointer is no jump of the limbs."""
-        solver = self.bench.solver(state.solver)
-        begin = self._tip(state.pose, goal.limb)
-        way = np.array(goal.position) - begin
-        stride = STRIDE * body_height(self.figure)
-        count = int(min(max(np.ceil(np.linalg.norm(way) / stride), 1), MOST_STRIDES))
-        solution = Solution(state.pose, (float(np.linalg.norm(way)),), met=False, memory=state.memory)
-        for number in range(1, count + 3):
-            x, y, z = (begin + way * min(number / count, 1.0)).tolist()
-            aimed = replace(goal, position=(x, y, z))
-            problem = self._problem(state, aimed, follow, 1.0)
-            before, solution = solution, solver.step(solution.pose, problem, solution.memory)
-            if follow.locks and not solution.met:
-                problem = self._problem(state, aimed, follow, YIELDING)
-                solution = solver.step(before.pose, problem, before.memory)
-            if number >= count and solution.errors[0] <= problem.tolerance:
+        """Follow the pointer in strides, so that neither its jumps nor its going out of reach are jumps of the limbs.
+
+        Beside locks a stride is so short that the compromise between goal and locks stays within what locks allow;
+        where the end comes no nearer any more, it has come as near as it can.
+        """
+        solver, height = self.bench.solver(state.solver), body_height(self.figure)
+        stride = (BESIDE_LOCKS if follow.locks else STRIDE) * height
+        wanted = np.array(goal.position)
+        tip = self._tip(state.pose, goal.limb)
+        left = float(np.linalg.norm(wanted - tip))
+        solution, stuck = Solution(state.pose, (left,), met=False, memory=state.memory), 0
+        for _ in range(MOST_STRIDES):
+            if left <= PRECISION * height or stuck > PATIENCE:
                 break
+            x, y, z = (tip + (wanted - tip) * min(1.0, stride / left)).tolist()
+            problem = self._problem(state, replace(goal, position=(x, y, z)), follow, 1.0)
+            stepped = solver.step(solution.pose, problem, solution.memory)
+            pose = self._mended(state, stepped.pose, follow)
+            tip = self._tip(pose, goal.limb)
+            before, left = left, float(np.linalg.norm(wanted - tip))
+            stuck = stuck + 1 if left > before - PROGRESS * stride else 0
+            solution = replace(stepped, pose=pose, errors=(left,))
         return solution
 
-    def _problem(self, state: InverseState, goal: Goal, follow: Following, weight: float) -> Problem:
-        tasks: tuple[Task, ...] = (PositionTask(goal.limb, goal.position, weight),)
-        if state.aim and self.figure.limbs[goal.limb].length:
+    def _mended(self, state: InverseState, pose: Pose, follow: Following) -> Pose:
+        """Return the pose with its locks met again where the last stride has used up half of what they allow."""
+        if not broken(self.figure, pose, follow.locks, MENDED):
+            return pose
+        problem = replace(self._problem(state, None, follow, 1.0), tasks=tasks_of(follow.locks))
+        return self.bench.solver(state.solver).solve(pose, problem).pose
+
+    def _problem(self, state: InverseState, goal: Goal | None, follow: Following, weight: float) -> Problem:
+        tasks: tuple[Task, ...] = (PositionTask(goal.limb, goal.position, weight),) if goal else ()
+        if goal and state.aim and self.figure.limbs[goal.limb].length:
             tasks += (DirectionTask(goal.limb, self._direction(state.pose, goal.limb), YIELDING / 2),)
         height = body_height(self.figure)
         return Problem(
@@ -226,8 +250,8 @@ class Inverse:
             degrees=DEGREES * CARE,
         )
 
-    def _tip(self, pose: Pose, limb: int) -> Any:
-        return tips_of(self.figure, place_pose(self.figure, pose))[limb]
+    def _tip(self, pose: Pose, limb: int) -> NDArray[np.float64]:
+        return np.asarray(tips_of(self.figure, place_pose(self.figure, pose))[limb])
 
     def _direction(self, pose: Pose, limb: int) -> tuple[float, float, float]:
         placement = place_pose(self.figure, pose)

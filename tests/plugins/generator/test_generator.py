@@ -57,10 +57,21 @@ def test_mutating_begins_a_next_generation_round_the_seed(generator: Generator, 
     assert state.generation.base == generator.recommend(state) == opening.seed
 
 
+def test_a_limb_that_is_switched_off_is_as_in_the_seed_on_the_page_and_comes_back_with_its_alternatives(
+    generator: Generator, opening: GeneratorState
+) -> None:
+    kept = told(generator, opening, EnabledSet(opening.enabled - {4}))
+    for shown, before in zip(generator.ask(kept).candidates, generator.ask(opening).candidates, strict=True):
+        assert shown == before.with_joints_of(opening.seed, [4])
+    with pytest.raises(ImpossibleError, match="switched off or locked"):
+        told(generator, kept, LimbPick(3, (4,)))
+    assert generator.ask(told(generator, kept, EnabledSet(opening.enabled))) == generator.ask(opening)
+
+
 def test_the_panel_speaks_of_the_next_generation_only(generator: Generator, opening: GeneratorState) -> None:
-    changed = told(generator, opening, Control("intensity", 10), Control("kind", "twist"), EnabledSet(frozenset({4})))
+    changed = told(generator, opening, Control("intensity", 10), Control("kind", "twist"))
     assert generator.ask(changed).candidates == generator.ask(opening).candidates
-    mutated = told(generator, changed, Control("mutate"))
+    mutated = told(generator, changed, EnabledSet(frozenset({4})), Control("mutate"))
     assert (mutated.generation.intensity, mutated.generation.kind) == (10.0, "twist")
     assert mutated.generation.enabled == {4}
 

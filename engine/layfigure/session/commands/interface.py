@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.library import figure_names
 from layfigure.kinematics.forward import place_pose
+from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
 from layfigure.session.commands.slots import ask_recall, ask_store
@@ -16,7 +18,7 @@ from layfigure.session.describing import spoken_limb
 from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
-from layfigure.session.words import join_line, no_more, one_of, whole_number
+from layfigure.session.words import join_line, no_more, one_of, required, whole_number
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -145,6 +147,15 @@ def _figures(session: Session, words: tuple[str, ...]) -> None:
     session.modes.append(PaletteMode(entries, prompt="Figure:", prefix="figure"))
 
 
+def _plugin(session: Session, words: tuple[str, ...]) -> None:
+    """Not logged: a log that runs a stranger's code from a path would be a trap."""
+    path = session.options.folder / Path(required(words, 0, "a plug-in file")).expanduser()
+    no_more(words, 1)
+    session.swap_plugin(plugin_file(path))
+    brought = ", ".join(record.id for record in session.host.records_of(path.stem)) or "nothing"
+    session.say(f"Plug-in {path.stem} is in service; it brings {brought}.")
+
+
 COMMANDS = (
     Command("help", "Show the keys", _help),
     Command("palette", "Type a command", _palette),
@@ -156,5 +167,6 @@ COMMANDS = (
     Command("row", "Choose another row", _row, "ROWS"),
     Command("erase", "Erase a character", _erase),
     Command("scroll", "Scroll the help", _scroll, "LINES"),
+    Command("plugin", "Load a plug-in file, or load it again", _plugin, "FILE"),
     Command("quit", "Quit", _quit),
 )

@@ -9,7 +9,7 @@ from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.session.commands.candidates import limbs, rectangle
 from layfigure.session.describing import spoken_limb
-from layfigure.session.words import join_line, no_more, one_of
+from layfigure.session.words import join_line, no_more, one_of, required
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -72,6 +72,16 @@ def _opposite(session: Session, words: tuple[str, ...]) -> None:
     if twins == session.view.selected:
         raise ImpossibleError(f"the {spoken_limb(figure, last)} has no mirror twin")
     _show(session, twins)
+
+
+def _with_selected(session: Session, words: tuple[str, ...]) -> None:
+    """Make of the selection command lines that can be logged: each limb's name is the last word of one."""
+    name = required(words, 0, "a command")
+    figure, chosen = session.document.figure, session.view.selected
+    if not chosen:
+        raise ImpossibleError("no limb is selected; Tab selects one")
+    for limb in chosen:
+        session.execute(join_line(name, [*words[1:], figure.names[limb]]))
 
 
 def _toggle(session: Session, words: tuple[str, ...]) -> None:
@@ -148,6 +158,7 @@ COMMANDS = (
     Command("parent-limb", "Select the limb above", _parent),
     Command("child-limb", "Select the limb below", _child),
     Command("opposite-limb", "Select the mirror twin", _opposite),
+    Command("with-selected", "Run a command for each selected limb, named last", _with_selected, "COMMAND [WORD…]"),
     Command("toggle", "Let the selected limbs change, or keep them", _toggle),
     Command("enable", "Let limbs change", _enable, "LIMB…|all", logged=True),
     Command("disable", "Keep limbs as they are", _disable, "LIMB…|all", logged=True),
