@@ -89,7 +89,7 @@ class Warming:
     def _compile(self) -> None:
         """Fill the cache in a process of its own: compiling in a thread would hold the interpreter lock."""
         compiled.prepare()
-        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet"]
+        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", *(() if self._also else ("--window",))]
         quiet = subprocess.DEVNULL
         self._compiler = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
         if self._stopped.is_set():
