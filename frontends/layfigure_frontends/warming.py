@@ -89,7 +89,8 @@ class Warming:
     def _compile(self) -> None:
         """Fill the cache in a process of its own: compiling in a thread would hold the interpreter lock."""
         compiled.prepare()
-        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", *(() if self._also else ("--window",))]
+        only = () if self._also else ("--window",)
+        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", *only]
         quiet = subprocess.DEVNULL
         self._compiler = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
         if self._stopped.is_set():

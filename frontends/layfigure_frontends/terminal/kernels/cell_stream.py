@@ -16,7 +16,7 @@ _OUT, _STATE = uint8[::1], int64[::1]
 _COLUMN, _ROW, _INK, _PAPER, _STYLE = 0, 1, 2, 3, 4
 _ANY = -2  # a colour that does not matter
 _BOLD, _UNDERLINE, _REVERSE = 1, 2, 4
-_SPACE, _UPPER, _LOWER, _FULL = 0x20, 0x2580, 0x2584, 0x2588
+_SPACE, _UPPER, _LOWER = 0x20, 0x2580, 0x2584
 _LONGEST_GAP = 4
 
 
@@ -172,9 +172,7 @@ def _draw(out: Any, n: int, state: Any, cell: Any) -> int:
             glyph = _UPPER
             if turned < upright:
                 glyph, ink, paper = _LOWER, paper, ink
-        elif ink and ink == state[_INK] and paper != state[_PAPER] and state[_STYLE] == 0:
-            glyph, paper = _FULL, state[_PAPER]
-        else:
+        else:  # never a full block: in many fonts it leaves a seam, where the paper of another cell would show
             glyph, ink, style = _SPACE, _ANY, max(state[_STYLE], 0) & _BOLD
     return _character(out, _pen(out, n, state, ink, paper, style), glyph)
 
