@@ -18,21 +18,33 @@ if TYPE_CHECKING:
 
 
 Step = tuple[str, Callable[[], object]]
+PARTS = ("drawing", "posing")
+OWN = "terminal"  # the part of a front end that has machine code of its own
 
 
-def steps(host: Host, also: Iterable[Step] = ()) -> Iterator[Step]:
-    """Yield what makes every kernel ready, as (title, work), in order; what fails is set aside with its plug-in.
+def steps(host: Host, part: str = "", own: Iterable[Step] = ()) -> Iterator[Step]:
+    """Yield what makes every kernel ready, or those of one of the :data:`PARTS`, as (title, work), in order.
 
-    What draws comes before what poses: a window that shows solids may be used while solvers still compile.
-    ``also`` is what a front end has of its own, wanted soonest.
+    ``own`` are a front end's, the part :data:`OWN`.
+
+    What fails is set aside with its plug-in. What draws comes first: a window that shows solids may be used while the
+    rest still compiles. The engine comes last, because its being loaded says that solvers are, too.
     """
-    yield "the engine", compiled.load
-    yield from also
-    records: list[Renderer | Solver] = [*host.renderers.values(), *host.solvers.values()]
-    for record in records:
+    if part in ("", OWN):
+        yield from own
+    if part in ("", "drawing"):
+        yield from _warmed(host, host.renderers.values())
+    if part in ("", "posing"):
+        yield from _warmed(host, host.solvers.values())
+        yield "the engine", compiled.load
+    if not part:
+        yield "a note that all is ready", compiled.mark_warm
+
+
+def _warmed(host: Host, records: Iterable[Renderer | Solver]) -> Iterator[Step]:
+    for record in list(records):
         if record.warm is not None:
             yield record.title, _warm(host, record)
-    yield "a note that all is ready", compiled.mark_warm
 
 
 def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
@@ -45,14 +57,20 @@ def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
 
 
 class Warming:
-    """Compiles in another process where the cache is cold, then loads in a thread; the window goes on meanwhile."""
+    """Compiles in other processes where the cache is cold, then loads in a thread; the window goes on meanwhile."""
 
-    def __init__(self, host: Host, done: Callable[[str], None], also: Iterable[Step] = ()) -> None:
-        """``done(fault)`` is called in the thread, with an empty text or a sentence that says what went wrong."""
+    def __init__(self, host: Host, done: Callable[[str], None], own: Iterable[Step] = ()) -> None:
+        """``own`` are the front end's own steps, taken first.
+
+        ``done(fault)`` is called in the thread once what draws is ready and again once all is.
+
+        It gets an empty text, or a sentence that says what went wrong.
+        """
         self._host = host
         self._done = done
-        self._also = tuple(also)
-        self._compiler: subprocess.Popen[bytes] | None = None
+        self._own = tuple(own)
+        self._parts = (*([OWN] if self._own else []), *PARTS)
+        self._compilers: dict[str, subprocess.Popen[bytes]] = {}
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._work, name="warming", daemon=True)
 
@@ -61,11 +79,12 @@ class Warming:
         self._thread.start()
 
     def stop(self) -> None:
-        """Give up; a compiler that still runs is ended."""
+        """Give up; compilers that still run are ended."""
         self._stopped.set()
-        if self._compiler is not None and self._compiler.poll() is None:
-            self._compiler.terminate()
-            self._compiler.wait()
+        for compiler in list(self._compilers.values()):
+            if compiler.poll() is None:
+                compiler.terminate()
+                compiler.wait()
 
     def join(self, seconds: float) -> bool:
         """Wait for the end of the work; return whether it came in time."""
@@ -76,23 +95,34 @@ class Warming:
         fault = ""
         try:
             if not compiled.is_warm():
-                self._compile()
-            for _, work in steps(self._host, self._also):
-                if self._stopped.is_set():
+                self._begin_compiling()
+            for part in self._parts:
+                if not self._make_ready(part):
                     return
-                work()
+                if part == PARTS[0]:
+                    self._done("")
+            compiled.mark_warm()
         except (LayfigureError, OSError, ImportError, RuntimeError) as error:
-            fault = f"The fast drawing code cannot be made ready ({error}); figures are drawn as sticks."
+            fault = f"The fast code cannot be made ready ({error}); figures may be drawn as sticks."
         if not self._stopped.is_set():
             self._done(fault)
 
-    def _compile(self) -> None:
-        """Fill the cache in a process of its own: compiling in a thread would hold the interpreter lock."""
+    def _make_ready(self, part: str) -> bool:
+        """Load a part, once its compiler is done; return whether to go on."""
+        if part in self._compilers:
+            self._compilers[part].wait()
+        for _, work in steps(self._host, part, self._own):
+            if self._stopped.is_set():
+                return False
+            work()
+        return not self._stopped.is_set()
+
+    def _begin_compiling(self) -> None:
+        """Fill the cache in processes of their own, side by side: a thread would hold the interpreter lock."""
         compiled.prepare()
-        only = () if self._also else ("--window",)
-        command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", *only]
         quiet = subprocess.DEVNULL
-        self._compiler = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
+        for part in self._parts:
+            command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", "--only", part]
+            self._compilers[part] = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
         if self._stopped.is_set():
-            self._compiler.terminate()
-        self._compiler.wait()
+            self.stop()

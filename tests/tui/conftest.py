@@ -16,7 +16,7 @@ import pytest
 
 from layfigure.session import journal
 
-PATIENCE = 25.0
+PATIENCE = 60.0
 PROMPT = "ready>"
 SHELL = f"env PS1='{PROMPT} ' bash --norc --noprofile"
 
@@ -87,6 +87,16 @@ class Terminal:
     def logged(self, line: str) -> None:
         """Wait until the journal's last line begins so."""
         waited(f"the line {line!r}, not {self.log()[-1:]}", lambda: any(s.startswith(line) for s in self.log()[-1:]))
+
+    def keys_until(self, line: str, key: str) -> None:
+        """Press a key until the journal's last line begins so."""
+
+        def pressed() -> bool:
+            self.keys(key)
+            time.sleep(0.3)
+            return any(s.startswith(line) for s in self.log()[-1:])
+
+        waited(f"the line {line!r}", pressed)
 
     def process(self) -> int:
         """Return the program's process id."""

@@ -23,9 +23,14 @@ KEEPER = "ik.dls"
 
 
 class Solvers:
-    """The solvers of one session, made once per figure and kept."""
+    """The solvers of one session, made once per figure and kept.
+
+    ``waits`` says whether a compiled solver is waited for: a replay must not depend on what is ready yet, but a window
+    stays usable while it is compiled.
+    """
 
     def __init__(self, host: Host) -> None:
+        self.waits = True
         self._host = host
         self._made: dict[tuple[str, int], tuple[Figure, SolverObject]] = {}
 
@@ -41,6 +46,8 @@ class Solvers:
             known = ", ".join(self._host.solvers) or "none"
             hint = did_you_mean(identifier, self._host.solvers)
             raise ImpossibleError(f'there is no solver "{identifier}"; in service: {known}{hint}')
+        if record.compiled and self.waits:
+            compiled.load()
         if record.compiled and not compiled.loaded():
             raise ImpossibleError("the solver is still being compiled; try again in a few seconds")
         key = (identifier, id(figure))

@@ -91,6 +91,11 @@ class ChoiceBar:
     value: str
     key: str = ""
 
+    def edges(self) -> tuple[float, ...]:
+        """Return where the options begin and end as shares of the width: longer labels get more room."""
+        weights = [len(label) + 3 for _, label in self.options]
+        return tuple(sum(weights[:count]) / max(sum(weights), 1) for count in range(len(weights) + 1))
+
 
 @dataclass(frozen=True)
 class JointBall:

@@ -39,6 +39,15 @@ def play(session: Session, log: SessionLog) -> None:
     Raises:
         SourceError: a command is unknown, wrong or impossible where it stands; the session stands before it.
     """
+    solvers = session.workshop.solvers
+    waited, solvers.waits = solvers.waits, True
+    try:
+        _play(session, log)
+    finally:
+        solvers.waits = waited
+
+
+def _play(session: Session, log: SessionLog) -> None:
     for entry in log.commands:
         try:
             session.execute(entry.text)

@@ -113,8 +113,8 @@ def _widget_pressed(session: Session, widget: Widget, event: PointerEvent) -> Se
             return [Run(widget.command)]
         case ChoiceBar(options=options):
             share = (event.x - widget.rectangle.x) / max(widget.rectangle.width, 1)
-            value = options[min(int(share * len(options)), len(options) - 1)][0]
-            return [Run(f"{widget.command} {value}")]
+            chosen = sum(1 for edge in widget.edges()[1:-1] if share >= edge)
+            return [Run(f"{widget.command} {options[chosen][0]}")]
         case SliderBar():
             line = slider_line(widget, event.x)
             return [Push(SliderDrag(widget, line)), Preview(line)]

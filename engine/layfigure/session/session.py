@@ -64,6 +64,7 @@ class Session:
         self.host = host
         self.options = options or SessionOptions()
         self.workshop = Workshop(host, self.options.technique_options)
+        self.workshop.solvers.waits = self.options.compiled
         self.view = ViewState(theme=self.options.theme, renderer=self.options.renderer)
         self.modes: list[Mode] = [Plain()]
         self.status = ""

@@ -66,7 +66,7 @@ class Stage:
             background = session.theme.pane_chosen if candidate == session.view.candidate else session.theme.pane
             panes.append(Pane(candidate, view, rectangle, len(shots)))
             shown = len(poses) - 1 if candidate == SKELETON else candidate + 1
-            shots.append(Shot(shown, rectangle, camera, background, session.view.anchor))
+            shots.append(Shot(shown, rectangle, camera, background, self._anchor(candidate, poses[shown])))
         lines, signs = self._marked(panes, shots, offer)
         widgets = tuple(self._widgets(place, panes, offer, size))
         frame = Frame(
@@ -187,6 +187,16 @@ class Stage:
             x, y, z = root.tolist()
             session.view = replace(session.view, anchor=(x, y, z))
 
+    def _anchor(self, candidate: int, pose: Pose) -> tuple[float, float, float]:
+        """Return what a view's camera stays with: candidates whose root was carried far are kept in sight."""
+        anchor = self._session.view.anchor
+        if candidate < 0:
+            return anchor
+        reach = FAR * framing(self._session.document.figure).half_extent
+        away = pose.translation - anchor
+        x, y, z = (anchor + away - np.clip(away, -reach, reach)).tolist()
+        return (x, y, z)
+
     def _colouring(self, poses: int, skeleton: bool) -> Colouring:
         session = self._session
         figure, takes_goals = session.document.figure, "goal" in session.channels
@@ -195,7 +205,8 @@ class Stage:
         kept = [limb for limb in figure.movable if limb not in session.document.enabled or limb in still]
         own = [0, poses - 1] if skeleton else [0]
         styles[0, kept] = Style.STICK if takes_goals else Style.DIM
-        styles[own[1:], kept] = Style.DIM
+        if skeleton:
+            styles[-1, kept] = Style.DIM
         styles[:, list(session.view.selected)] = Style.SELECTED
         hover = session.view.hover
         if hover is not None and hover[0] + 1 < poses:

@@ -119,7 +119,7 @@ def paint_choice(canvas: Canvas, choice: ChoiceBar) -> None:
     shapes.rounded(canvas.surface, bar, radius, theme.raised)
     shapes.border(canvas.surface, bar, radius, theme.border, max(canvas.pixels(1), 1))
     for index, (value, label) in enumerate(choice.options):
-        cell = _cell(bar, index, len(choice.options))
+        cell = _cell(bar, choice.edges()[index : index + 2])
         inner = shapes.inset(cell, max(canvas.pixels(2), 1))
         present = value == choice.value
         if present:
@@ -130,8 +130,8 @@ def paint_choice(canvas: Canvas, choice: ChoiceBar) -> None:
         canvas.text(text, label, STRONG if present else TEXT, theme.on_accent if present else theme.muted, "centre")
 
 
-def _cell(bar: Rectangle, index: int, count: int) -> Rectangle:
-    left, right = bar.width * index // count, bar.width * (index + 1) // count
+def _cell(bar: Rectangle, edges: tuple[float, ...]) -> Rectangle:
+    left, right = round(bar.width * edges[0]), round(bar.width * edges[1])
     return Rectangle(bar.x + left, bar.y, right - left, bar.height)
 
 

@@ -79,7 +79,7 @@ class Loop:
         self._screen.abilities(self._abilities)
         self._move: PointerEvent | None = None
         self._warmed: list[str] = []
-        self._warming = Warming(session.host, self._warmed_up, also=(STEP,))
+        self._warming = Warming(session.host, self._warmed_up, own=(STEP,))
 
     def run(self) -> str:
         """Go on until the session ends, or return why it must."""
@@ -112,8 +112,8 @@ class Loop:
             self._screen.begin_anew(asked_again=arrival.resumed)
         if arrival.resumed:
             self._terminal.write(self._screen.probe(now) + queries(os.environ))
-        if self._warmed:
-            self._use_kernels(self._warmed.pop())
+        while self._warmed:
+            self._use_kernels(self._warmed.pop(0))
         events = self._parser.feed(arrival.data, now) if arrival.data else self._parser.expire(now)
         for event in coalesced(events):
             if not self._session.running:

@@ -1,6 +1,9 @@
 """The skeleton: shown in the candidates' place, with cones of the technique, and limbs enabled by rectangle."""
 
+import pytest
+
 from layfigure.drawing.marks import Mark
+from layfigure.drawing.render_list import new_target
 from layfigure.plugins.records import Technique
 from layfigure.session.events import KeyEvent, PointerEvent
 from layfigure.session.frame import Size
@@ -42,6 +45,24 @@ def test_a_rectangle_on_it_keeps_and_frees_limbs(session):
     assert frozenset(session.document.figure.movable) - session.document.enabled == arm
     drag_round_the_left_arm(session, shift=False)
     assert session.document.enabled == frozenset(session.document.figure.movable)
+
+
+@pytest.mark.parametrize("technique", ["generator", "fk", "ik"])
+@pytest.mark.parametrize("skeleton", ["on", "off"])
+@pytest.mark.parametrize("kept", ["spine", "spine neck lefthand", "all"])
+def test_limbs_that_are_kept_are_drawn_quietly_however_many_they_are(session, technique, skeleton, kept):
+    session.run(f"use {technique}")
+    session.run(f"disable {kept}")
+    session.run(f"skeleton {skeleton}")
+    before = session.frame(SIZE)
+    target = new_target(SIZE.width, SIZE.height)
+    session.draw(before, target)
+    session.run("enable all")
+    again = new_target(SIZE.width, SIZE.height)
+    session.draw(session.frame(SIZE), again)
+    box = next(p.rectangle for p in before.panes if p.candidate == -1 and p.view == "main")
+    rows, columns = slice(box.y, box.y + box.height), slice(box.x, box.x + box.width)
+    assert (target.pixels[rows, columns] != again.pixels[rows, columns]).any()
 
 
 class Pointing:

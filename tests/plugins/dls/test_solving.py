@@ -229,3 +229,18 @@ def test_the_root_is_dragged_by_its_own_task(kit):
     assert solution.met
     np.testing.assert_allclose(solution.pose.translation, task.position, atol=0.1)
     assert not solution.pose.angles.any()
+
+
+def test_a_task_on_a_root_that_stays_reads_nothing_beyond_the_system(kit):
+    """Such a task has no rows; what stood behind the system's memory once moved the root."""
+    tasks = (PositionTask(0, (5.0, 0.0, 0.0)), DirectionTask(kit.limb("righthand"), (0.0, 0.0, -1.0)))
+    drag = kit.solver.follow(kit.rest, Problem(tasks, frozenset(kit.figure.movable)))
+    room = drag._room
+    guarded = np.full((room.normal.shape[0] + 1, room.normal.shape[1]), np.nan)
+    guarded[:-1] = room.normal
+    drag._arrays = tuple(guarded[:-1] if array is room.normal else array for array in drag._arrays)
+    drag.solve()
+    drag.step(np.empty((0, 3)))
+    assert np.isnan(guarded[-1]).all()
+    assert drag.pose().translation.tolist() == [0.0, 0.0, 0.0]
+    assert np.isfinite(drag.pose().angles).all()

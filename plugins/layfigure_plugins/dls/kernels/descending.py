@@ -84,9 +84,9 @@ def _copy(links: Any, body: Any, knobs: Any, source: Any, to: Any) -> None:
 
 
 @jit()
-def _return_to(work: Any, column: int, place: int) -> None:
-    """Go back to a state that was kept."""
-    _copy(work.links, work.body, work.knobs, (column, place), (STATE, ROOT))
+def _return_to(work: Any, kept: Any) -> None:
+    """Go back to a state that was kept in a column of ``body`` and a place among the knobs."""
+    _copy(work.links, work.body, work.knobs, kept, (STATE, ROOT))
     place_links(work.links, work.body, work.knobs)
     measure(work.tasks, work.goals, work.body, work.normal, work.knobs)
 
@@ -164,7 +164,7 @@ def _judge_drag(work: Any, turned: float, now: float) -> None:
     before = knobs[LEFT]
     _remember(knobs, before, now)
     if turned < AT_REST:
-        _return_to(work, KEPT, ROOT_KEPT)
+        _return_to(work, (KEPT, ROOT_KEPT))
     far = math.sqrt(now) > NEAR * knobs[REST]
     knobs[LEFT] = now
     if turned >= AT_REST and far and now <= 0.5 * before and knobs[TRIES] < 2.0:
@@ -179,7 +179,7 @@ def _judge_descent(work: Any, now: float) -> None:
     """Never go up: what led there is taken back and damped more."""
     knobs = work.knobs
     if now > knobs[LEFT]:
-        _return_to(work, KEPT, ROOT_KEPT)
+        _return_to(work, (KEPT, ROOT_KEPT))
         knobs[DAMPING] *= 10.0
     else:
         knobs[SLOW] = knobs[SLOW] + 1.0 if now > (1.0 - knobs[PATIENCE]) * knobs[LEFT] else 0.0
@@ -229,7 +229,7 @@ def turns_elsewhere(work: Any) -> bool:
         return True
     if stage == MENDING:
         if knobs[BEST_MET] > knobs[MET]:
-            _return_to(work, BEST, ROOT_BEST)
+            _return_to(work, (BEST, ROOT_BEST))
         return False
     if knobs[ROWS] == knobs[MUSTS]:
         return False
@@ -250,7 +250,7 @@ def _searches_on(work: Any) -> bool:
         knobs[BEST_LEFT] = left
         _copy(work.links, work.body, knobs, (STATE, ROOT), (BEST, ROOT_BEST))
     else:
-        _return_to(work, BEST, ROOT_BEST)
+        _return_to(work, (BEST, ROOT_BEST))
     if knobs[MET] > 0.0 or knobs[SEED] >= SEEDS or knobs[AGREED] >= ENOUGH:
         return False
     _reseed(work.links, work.pairs, work.tasks, work.goals, work.body, int(knobs[SEED]))

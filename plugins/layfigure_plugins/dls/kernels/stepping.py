@@ -55,7 +55,7 @@ def iterate(work: Any) -> float:
     for _ in range(4):
         _assemble(work)
         _write_pushes(work)
-        _solve_block(normal, 0, musts, damping)
+        _solve_block(normal, (0, musts), damping)
         changed, largest = _write_moves(work)
         if not changed:
             break
@@ -127,21 +127,27 @@ def _add_column(links: Any, pairs: Any, tasks: Any, jacobian: Any, normal: Any, 
 
 
 @jit()
+def _carried(tasks: Any, t: int) -> bool:
+    """Return whether carrying the root moves a task; one without rows stands for nothing."""
+    return tasks[t, 0] == POSITION and tasks[t, 4] > 0
+
+
+@jit()
 def _add_root(work: Any, musts: int) -> None:
     """Add what carrying the root does to the position tasks."""
     tasks, goals, normal = work.tasks, work.goals, work.normal
     for t in range(tasks.shape[0]):
         for u in range(tasks.shape[0]):
             row, row2 = tasks[t, 3], tasks[u, 3]
-            both = tasks[t, 0] == POSITION and tasks[u, 0] == POSITION
-            if both and row2 <= row and (row < musts) == (row2 < musts):
+            if _carried(tasks, t) and _carried(tasks, u) and row2 <= row and (row < musts) == (row2 < musts):
                 for r in range(3):
                     normal[row + r, row2 + r] += work.knobs[ROOT_STIFF] * goals[t, SCALE] * goals[u, SCALE]
 
 
 @jit()
-def _solve_block(normal: Any, low: int, high: int, damping: float) -> None:
-    """Solve rows low..high of (J J' + damping) y = y in place, by Cholesky's factors."""
+def _solve_block(normal: Any, rows: Any, damping: float) -> None:
+    """Solve rows from the first to before the last of (J J' + damping) y = y in place, by Cholesky's factors."""
+    low, high = rows
     y = normal.shape[1] + 1
     for i in range(low, high):
         for k in range(low, i + 1):
@@ -180,7 +186,7 @@ def _along(work: Any, i: int, q: int, soft: bool) -> float:
 def _root_move(work: Any, r: int, soft: bool) -> float:
     tasks, goals, normal, knobs, total = work.tasks, work.goals, work.normal, work.knobs, 0.0
     for t in range(tasks.shape[0]):
-        if tasks[t, 0] == POSITION and (tasks[t, 3] >= knobs[MUSTS]) == soft:
+        if _carried(tasks, t) and (tasks[t, 3] >= knobs[MUSTS]) == soft:
             total += goals[t, SCALE] * normal[normal.shape[1] + 1, tasks[t, 3] + r]
     return knobs[ROOT_STIFF] * total
 
@@ -195,11 +201,11 @@ def _write_pushes(work: Any) -> None:
     soft = knobs[SOFT] > 0.0 and rows > musts
     if soft:
         damping = knobs[DAMPING] * _squares(normal, wants, musts, rows) + knobs[FLOOR]
-        _solve_block(normal, musts, rows, damping)
+        _solve_block(normal, (musts, rows), damping)
     for r in range(3):
         knobs[ROOT_MOVE + r] = _root_move(work, r, True) if soft else 0.0
         for t in range(tasks.shape[0]):
-            if tasks[t, 0] == POSITION and tasks[t, 3] < musts:
+            if _carried(tasks, t) and tasks[t, 3] < musts:
                 normal[wants + 1, tasks[t, 3] + r] -= work.goals[t, SCALE] * knobs[ROOT_MOVE + r]
     for i in range(links.shape[0]):
         j, dofs = links[i, 0], links[i, 1]
