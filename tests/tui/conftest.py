@@ -98,6 +98,10 @@ class Terminal:
 
         waited(f"the line {line!r}", pressed)
 
+    def file(self, name: str) -> Path:
+        """Return a file that the program writes, waiting for it."""
+        return waited(f"the file {name}", lambda: next(self.folder.glob(name), None))
+
     def process(self) -> int:
         """Return the program's process id."""
         shell = self.tmux("display-message", "-p", "#{pane_pid}").strip()

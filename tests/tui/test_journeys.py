@@ -20,8 +20,7 @@ def replayed(terminal, name="job.log"):
     terminal.keys(":")
     terminal.shows("│ :")
     terminal.type(f"save-log {name}", "Enter")
-    terminal.shows("Saved the log", "job.log")
-    return play_log(PluginChoice(), load_log(terminal.folder / name))
+    return play_log(PluginChoice(), load_log(terminal.file(name)))
 
 
 @pytest.mark.parametrize("terminal", [(160, 50), (80, 24)], indirect=True)

@@ -223,7 +223,7 @@ class Stage:
                 yield from _badge(offer, pane, of, unit)
             if pane.candidate < 0 and box.width >= of.name_least * unit and place.poser.width >= of.names_least * unit:
                 left, top = box.x + round(of.name_x * unit), box.y + round(of.name_y * unit)
-                place_of_name = Rectangle(left, top, box.width, round(of.name * unit))
+                place_of_name = Rectangle(left, top - top % of.grain, box.width, round(of.name * unit))
                 yield Label(place_of_name, self._view_name(pane.view), "small")
         heading = Rectangle(place.poser.x, place.poser.y, place.poser.width, round(of.title * unit))
         yield Label(heading, self._heading(shown), "title")

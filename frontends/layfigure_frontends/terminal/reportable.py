@@ -16,4 +16,4 @@ def reportable(key: str) -> bool:
     if "ctrl" in held and name not in _MOVING:
         plain = len(name) == 1 and name.isalpha() and name not in _TAKEN | _MULTIPLEXERS
         return plain and held == ["ctrl"]
-    return "alt" not in held and not ("shift" in held and name in _SAME_WITH_SHIFT)
+    return ("alt" not in held or name in _MOVING) and not ("shift" in held and name in _SAME_WITH_SHIFT)
