@@ -3,7 +3,7 @@
 How the pieces fit, without a session::
 
     depth = choose_depth(os.environ, color)                # depth.py: what the terminal shows
-    with open_terminal(places.state()) as terminal:        # driver.py: raw mode, alternate screen, given back at the end
+    with open_terminal(places.state()) as terminal:        # driver.py: raw mode, alternate screen, given back always
         parser, abilities = Parser(), Abilities()          # parser.py, depth.py
         encoder, fence = CellEncoder(depth), Fence(depth)  # encoder.py, fence.py
         terminal.write(queries(os.environ) + fence.probe(time.monotonic()))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import unicodedata
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -164,7 +165,8 @@ def braille(
 def luminance(colours: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """Return how bright colours are, 0..255, by the weights of Rec. 601."""
     red, green, blue = (colours >> shift & 255 for shift in (np.uint32(16), np.uint32(8), np.uint32(0)))
-    return (77 * red + 150 * green + 29 * blue) >> np.uint32(8)
+    bright: NDArray[np.uint32] = (77 * red + 150 * green + 29 * blue) >> np.uint32(8)
+    return bright
 
 
 def narrow(text: str) -> str:
@@ -183,7 +185,7 @@ def _one_cell(character: str) -> str:
     return "?" if wide else character
 
 
-def _dots(values: NDArray[np.generic], rows: int, columns: int) -> NDArray[np.generic]:
+def _dots(values: NDArray[Any], rows: int, columns: int) -> NDArray[Any]:
     """Return (4 h, 2 w) values as (h, w, 4, 2)."""
     return values.reshape(rows, 4, columns, 2).swapaxes(1, 2)
 

@@ -20,8 +20,10 @@ _TRUE, _OF_256, _OF_16 = (np.uint32(kind << 24) for kind in (1, 2, 3))
 
 # The 16 colours as xterm has them; users change them, but not what their names say.
 _XTERM_16 = np.array(
-    [0x000000, 0xCD0000, 0x00CD00, 0xCDCD00, 0x0000EE, 0xCD00CD, 0x00CDCD, 0xE5E5E5]
-    + [0x7F7F7F, 0xFF0000, 0x00FF00, 0xFFFF00, 0x5C5CFF, 0xFF00FF, 0x00FFFF, 0xFFFFFF],
+    [
+        *(0x000000, 0xCD0000, 0x00CD00, 0xCDCD00, 0x0000EE, 0xCD00CD, 0x00CDCD, 0xE5E5E5),
+        *(0x7F7F7F, 0xFF0000, 0x00FF00, 0xFFFF00, 0x5C5CFF, 0xFF00FF, 0x00FFFF, 0xFFFFFF),
+    ],
     np.uint32,
 )
 _CUBE = np.array([0, 95, 135, 175, 215, 255])  # levels of the 6 x 6 x 6 colours from 16 on
@@ -66,7 +68,7 @@ def _colours(colours: NDArray[np.uint32], kinds: NDArray[np.uint8], depth: Depth
         coarse = colours & np.uint32(0x01F8F8F8)
         return (coarse | coarse >> np.uint32(5) & np.uint32(0x070707)) ^ _TRUE
     table, kind = (_nearest_256(), _OF_256) if depth == Depth.COLOURS_256 else (_nearest_16(), _OF_16)
-    index = table[_fifths(colours)]
+    index = table[fifths(colours)]
     if depth == Depth.CLASSES_16:
         classes = np.minimum(kinds, len(_CLASS_16) - 1)
         light = (luminance(colours) >= _CLASS_LIGHT[classes]).astype(np.intp)
@@ -74,11 +76,18 @@ def _colours(colours: NDArray[np.uint32], kinds: NDArray[np.uint8], depth: Depth
     return np.where(colours == cells.DEFAULT, np.uint32(0), index | kind)
 
 
-def _fifths(colours: NDArray[np.uint32]) -> NDArray[np.uint32]:
+def fifths(colours: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """Return colours as 15 bits, five of each of red, green and blue."""
     red = colours >> np.uint32(9) & np.uint32(0x7C00)
     green = colours >> np.uint32(6) & np.uint32(0x3E0)
-    return red | green | colours >> np.uint32(3) & np.uint32(0x1F)
+    packed: NDArray[np.uint32] = red | green | colours >> np.uint32(3) & np.uint32(0x1F)
+    return packed
+
+
+def spread(packed: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return colours of 15 bits (n,) as (n, 3) red, green, blue of 0..255."""
+    channels: NDArray[np.int64] = (packed[:, np.newaxis] >> np.array([10, 5, 0]) & 31) * 255 // 31
+    return channels
 
 
 def _keep_readable(source: NDArray[np.void], out: NDArray[np.uint32], picture: NDArray[np.bool_]) -> None:
@@ -99,8 +108,7 @@ def _draw_luminance(source: NDArray[np.void], out: NDArray[np.uint32]) -> None:
 
 def _all_colours() -> NDArray[np.int64]:
     """Return (32768, 3) the middle of each colour of 15 bits."""
-    channels = np.arange(32768)[:, np.newaxis] >> np.array([10, 5, 0]) & 31
-    return channels * 255 // 31
+    return spread(np.arange(32768))
 
 
 @lru_cache(maxsize=1)
@@ -111,7 +119,7 @@ def _nearest_256() -> NDArray[np.uint32]:
     grey = np.abs(colours.mean(axis=1)[:, np.newaxis] - _GREYS).argmin(axis=-1)
     from_cube = ((_CUBE[steps] - colours) ** 2).sum(axis=1)
     from_grey = ((_GREYS[grey][:, np.newaxis] - colours) ** 2).sum(axis=1)
-    index = np.where(from_grey < from_cube, 232 + grey, 16 + steps @ np.array([36, 6, 1]))
+    index: NDArray[Any] = np.where(from_grey < from_cube, 232 + grey, 16 + steps @ np.array([36, 6, 1]))
     return index.astype(np.uint32)
 
 
@@ -120,4 +128,5 @@ def _nearest_16() -> NDArray[np.uint32]:
     """Return (32768,) which of the 16 colours is nearest."""
     palette: Any = _XTERM_16[:, np.newaxis] >> np.array([16, 8, 0], np.uint32) & np.uint32(255)
     distances = [((_all_colours() - colour.astype(np.int64)) ** 2).sum(axis=1) for colour in palette]
-    return np.argmin(distances, axis=0).astype(np.uint32)
+    nearest: NDArray[np.intp] = np.argmin(distances, axis=0)
+    return nearest.astype(np.uint32)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum, IntEnum
+from typing import Any
 
 from layfigure.errors import LayfigureError
 from layfigure.suggestions import did_you_mean
@@ -109,20 +110,21 @@ class Abilities:
 
     def told(self, reply: Reply) -> Abilities:
         """Return the abilities with an answer taken in."""
+        news: dict[str, Any] = {}
         match reply:
             case DeviceAttributes():
-                return replace(self, sixel=reply.sixel)
+                news = {"sixel": reply.sixel}
             case GraphicsReply(number, ok) if number == QUERY_NUMBER:
-                return replace(self, kitty_graphics=ok)
+                news = {"kitty_graphics": ok}
             case ModeReport(mode) if mode == SYNCHRONISED:
-                return replace(self, synchronised=reply.usable)
+                news = {"synchronised": reply.usable}
             case KeyboardFlags():
-                return replace(self, kitty_keyboard=True)
+                news = {"kitty_keyboard": True}
             case ColourRegisters(count):
-                return replace(self, sixel_colours=min(max(count, 2), 256))
+                news = {"sixel_colours": min(max(count, 2), 256)}
             case CellSize(width, height):
-                return replace(self, cell_pixels=(width, height))
-        return self
+                news = {"cell_pixels": (width, height)}
+        return replace(self, **news)
 
     def picture(self, environment: Mapping[str, str], graphics: str = "auto") -> Picture:
         """Return how to show pictures; ``graphics`` is what ``--graphics`` says: auto, cells, sixel or kitty.

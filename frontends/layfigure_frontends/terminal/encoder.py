@@ -76,4 +76,3 @@ def compiled_encoder(depth: Depth) -> CellEncoder:
     encoder = CellEncoder(depth)
     encoder.speed_up()
     return encoder
-

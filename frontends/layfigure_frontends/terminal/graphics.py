@@ -13,6 +13,8 @@ import zlib
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure_frontends.terminal.colours import fifths, spread
+
 _CHUNK = 4096  # of base64 in one command
 # Kitty draws a picture this deep under the text and under paper that is not the terminal's own.
 _BELOW_PAPER = -(1 << 30) - 1
@@ -52,18 +54,17 @@ def reduce_colours(picture: NDArray[np.uint32], most: int) -> tuple[NDArray[np.u
 
     Colours are told apart by five bits a channel, which keeps the steps of a shading ramp.
     """
-    red, green = picture >> np.uint32(9) & np.uint32(0x7C00), picture >> np.uint32(6) & np.uint32(0x3E0)
-    fifths = red | green | picture >> np.uint32(3) & np.uint32(0x1F)
-    counts = np.bincount(fifths.ravel(), minlength=32768)
+    packed = fifths(picture)
+    counts = np.bincount(packed.ravel(), minlength=32768)
     found = np.flatnonzero(counts)
     found = found[np.argsort(-counts[found], kind="stable")]
-    channels = (found[:, np.newaxis] >> np.array([10, 5, 0]) & 31) * 255 // 31
+    channels = spread(found)
     table = np.zeros(32768, np.uint16)
     kept = min(max(most, 2), 256, len(found))
     table[found[:kept]] = np.arange(kept)
     if kept < len(found):
         table[found[kept:]] = _nearest(channels[kept:], channels[:kept])
-    return table[fifths], channels[:kept]
+    return table[packed], channels[:kept]
 
 
 def kitty_picture(picture: NDArray[np.uint32], cell: tuple[int, int], number: int) -> bytes:
@@ -103,4 +104,5 @@ def _registers(palette: NDArray[np.int64]) -> bytes:
 def _nearest(colours: NDArray[np.int64], palette: NDArray[np.int64]) -> NDArray[np.intp]:
     """Return for each (n, 3) colour the number of the nearest in a palette (m, 3)."""
     gaps = (colours**2).sum(axis=1)[:, np.newaxis] - 2 * colours @ palette.T + (palette**2).sum(axis=1)
-    return gaps.argmin(axis=1)
+    nearest: NDArray[np.intp] = gaps.argmin(axis=1)
+    return nearest

@@ -106,6 +106,10 @@ class Parser:
             return self._take_single_shift()
         if second in _STRINGS:
             return self._take_string()
+        return self._take_alt(second)
+
+    def _take_alt(self, second: int) -> _Taken:
+        """Take an ESC that begins no sequence: the Escape key before another ESC, else Alt and what follows."""
         if second == _ESC:
             return 1, keys.control_key(_ESC)
         if second < 0x20 or second == _DELETE:

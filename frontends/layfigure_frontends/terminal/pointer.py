@@ -70,10 +70,7 @@ class Pointer:
         return "double"
 
     def _event(self, kind: str, button: int, code: int, cell: tuple[int, int], steps: float = 0.0) -> PointerEvent:
-        x, y = (
-            max(place - 1, 0) * size + (size - 1) // 2
-            for place, size in zip(cell, self.scale, strict=True)
-        )
+        x, y = (max(place - 1, 0) * size + (size - 1) // 2 for place, size in zip(cell, self.scale, strict=True))
         ctrl, shift, alt = bool(code & _CTRL), bool(code & _SHIFT), bool(code & _ALT)
         return PointerEvent(kind, float(x), float(y), button, ctrl, shift, alt, steps)
 

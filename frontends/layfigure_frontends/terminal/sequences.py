@@ -97,19 +97,25 @@ def _key(sequence: Sequence) -> KeyEvent | None:
     shape, held = sequence.shape, keys.modifiers(sequence.at(1))
     if shape == "u":
         return keys.coded_key(sequence.at(0), sequence.at(0, 1), held)
-    if shape == "Z":
-        return keys.named_key("tab", held._replace(shift=True))
     if shape == "~" and sequence.at(0) == _OTHER_KEYS:
         return keys.coded_key(sequence.at(2), 0, held)
-    if shape in ("~", "^", "@"):
+    name = _NAMES.get(shape)
+    if shape in "~^@":
         name = keys.TILDES.get(sequence.at(0))
-        if shape != "~":  # rxvt
-            held = keys.Modifiers(ctrl=True, shift=shape == "@")
-        return keys.named_key(name, held) if name else None
-    if shape in keys.RXVT_ARROWS:
-        return keys.named_key(keys.RXVT_ARROWS[shape], keys.Modifiers(shift=True))
-    name = keys.LETTERS.get(shape)
+    if shape in _IMPLIED:
+        held = _IMPLIED[shape](held)
     return keys.named_key(name, held) if name else None
+
+
+_NAMES = {**keys.LETTERS, **keys.RXVT_ARROWS, "Z": "tab"}
+
+# Modifiers that are told by the final byte: Shift-Tab everywhere, the others in rxvt.
+_IMPLIED: dict[str, Callable[[keys.Modifiers], keys.Modifiers]] = {
+    **dict.fromkeys(keys.RXVT_ARROWS, lambda _: keys.Modifiers(shift=True)),
+    "Z": lambda held: held._replace(shift=True),
+    "^": lambda _: keys.Modifiers(ctrl=True),
+    "@": lambda _: keys.Modifiers(ctrl=True, shift=True),
+}
 
 
 def _cursor(sequence: Sequence) -> Reply | None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ctypes
 import os
 import queue
-import sys
 import threading
 import time
 from collections import deque
@@ -37,9 +36,9 @@ class WindowsConsole:
         Raises:
             TerminalError: there is none, or this is no Windows.
         """
-        if sys.platform != "win32":
+        if os.name != "nt":
             raise TerminalError("this is no Windows console; use the driver for POSIX terminals")
-        self._system: Any = ctypes.windll.kernel32
+        self._system: Any = vars(ctypes)["windll"].kernel32
         self._system.GetStdHandle.restype = ctypes.c_void_p
         self._ends = [ctypes.c_void_p(self._system.GetStdHandle(n)) for n in (_STANDARD_INPUT, _STANDARD_OUTPUT)]
         self._before = [self._mode(end) for end in self._ends]
