@@ -17,20 +17,28 @@ NOTHING = 0
 _CODES = np.array([[0, 0, 255], [255, 0, 0], [255, 255, 0], [0, 255, 0]], dtype=np.uint8)
 _KIND_OF_CHANNELS = np.array([NOTHING, 1, 4, 4, 2, 2, 3, 3], dtype=np.uint8)  # bits: red 4, green 2, blue 1
 _DARKEST = 40
+MEANINGS = {"grey": 0, "pink": 1, "yellow": 2, "orange": 3}
+"""What the standard figures' colours say: a head is pink because it turns with a neck that flexes."""
+UNSAID = 255
 
 
 def coded_by_kind(render_list: RenderList, figure: Figure) -> RenderList:
     """Return a render list with the same shapes on black, coloured by how many degrees of freedom each joint has."""
     freedom = np.array([min(len(limb.dofs), 3) for limb in figure.limbs], dtype=np.uint8)
+    said = np.array([MEANINGS.get(word.casefold(), UNSAID) for word in figure.colours], dtype=np.uint8)
     return replace(
         render_list,
         backgrounds=np.zeros_like(render_list.backgrounds),
-        colours=freedom[render_list.parts],
+        colours=_kinds(said[render_list.colours], freedom[render_list.parts]),
         styles=np.zeros_like(render_list.styles),
         palette=_CODES,
-        segment_colours=freedom[render_list.segment_parts],
+        segment_colours=_kinds(said[render_list.segment_colours], freedom[render_list.segment_parts]),
         segment_styles=np.zeros_like(render_list.segment_styles),
     )
+
+
+def _kinds(said: NDArray[np.uint8], free: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.where(said == UNSAID, free, said)
 
 
 def kinds_shown(pixels: NDArray[np.uint32]) -> NDArray[np.uint8]:

@@ -8,7 +8,8 @@ How the pieces fit, without a session::
         encoder, fence = CellEncoder(depth), Fence(depth)  # encoder.py, fence.py
         terminal.write(queries(os.environ) + fence.probe(time.monotonic()))
         while True:
-            arrival = terminal.wait(seconds)               # the least of what parser, fence and animation ask for
+            arrival = terminal.wait(seconds)               # the least of what parser and fence ask for; fence only
+                                                           # where there is something to draw and nothing unwritten
             if arrival.ended: break                        # "closed", "SIGTERM", "SIGHUP"
             now = time.monotonic()
             events = parser.feed(arrival.data, now) if arrival.data else parser.expire(now)

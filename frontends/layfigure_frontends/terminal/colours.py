@@ -68,7 +68,7 @@ def _colours(colours: NDArray[np.uint32], kinds: NDArray[np.uint8], depth: Depth
         coarse = colours & np.uint32(0x01F8F8F8)
         return (coarse | coarse >> np.uint32(5) & np.uint32(0x070707)) ^ _TRUE
     table, kind = (_nearest_256(), _OF_256) if depth == Depth.COLOURS_256 else (_nearest_16(), _OF_16)
-    index = table[fifths(colours)]
+    index = table[_fifths(colours)]
     if depth == Depth.CLASSES_16:
         classes = np.minimum(kinds, len(_CLASS_16) - 1)
         light = (luminance(colours) >= _CLASS_LIGHT[classes]).astype(np.intp)
@@ -76,7 +76,7 @@ def _colours(colours: NDArray[np.uint32], kinds: NDArray[np.uint8], depth: Depth
     return np.where(colours == cells.DEFAULT, np.uint32(0), index | kind)
 
 
-def fifths(colours: NDArray[np.uint32]) -> NDArray[np.uint32]:
+def _fifths(colours: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """Return colours as 15 bits, five of each of red, green and blue."""
     red = colours >> np.uint32(9) & np.uint32(0x7C00)
     green = colours >> np.uint32(6) & np.uint32(0x3E0)

@@ -29,11 +29,13 @@ class Arrival:
     Attributes:
         data: bytes for the parser.
         resized: the screen has another size; ask :meth:`Driver.size`.
+        drained: all that was still to be written has been.
         resumed: the program was stopped and goes on; nothing is left of what the screen showed.
         ended: why there is nothing more to do: ``closed``, or a signal's name; empty while there is.
     """
 
     data: bytes = b""
+    drained: bool = False
     resized: bool = False
     resumed: bool = False
     ended: str = ""

@@ -69,10 +69,3 @@ class CellEncoder:
             length = self._write(cells, self._shown, self._state, x, y, self._out)
             data = self._out[:length].tobytes()
         return _BEGIN + data + _END if data and self.synchronised else data
-
-
-def compiled_encoder(depth: Depth) -> CellEncoder:
-    """Return an encoder with its machine code loaded."""
-    encoder = CellEncoder(depth)
-    encoder.speed_up()
-    return encoder

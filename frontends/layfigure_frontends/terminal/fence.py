@@ -39,7 +39,7 @@ class _Sent(NamedTuple):
     rung: int
 
 
-# How many bytes an all-moving picture has at a depth, compared with 256 colours (measured with the bench's scene).
+# How many bytes an all-moving picture has at a depth, compared with 256 colours (measured on shaded balls).
 _WEIGHT = {
     Depth.MONO: 0.2,
     Depth.CLASSES_16: 0.4,

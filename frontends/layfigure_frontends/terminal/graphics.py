@@ -13,7 +13,7 @@ import zlib
 import numpy as np
 from numpy.typing import NDArray
 
-from layfigure_frontends.terminal.colours import fifths, spread
+from layfigure_frontends.terminal.colours import spread
 
 _CHUNK = 4096  # of base64 in one command
 # Kitty draws a picture this deep under the text and under paper that is not the terminal's own.
@@ -36,35 +36,40 @@ def sixel_picture(picture: NDArray[np.uint32], cell: tuple[int, int], colours: i
     """
     from layfigure_frontends.terminal.kernels.sixel import write_bands
 
-    numbers, palette = reduce_colours(picture, colours)
+    packed, numbers, palette = reduce_colours(picture, colours)
     height, width = picture.shape
     bands = -(-height // 6)
     most = bands * (min(len(palette), 6 * width) * (width + 8) + 16)
     out = np.empty(min(most, bands * (8 * width + 4096)), np.uint8)
-    length = write_bands(numbers, len(palette), out)
+    length = write_bands(packed, numbers, len(palette), out)
     if length < 0:
         out = np.empty(most, np.uint8)
-        length = write_bands(numbers, len(palette), out)
+        length = write_bands(packed, numbers, len(palette), out)
     head = _place(cell) + b'\x1bP0;1q"1;1;%d;%d' % (width, height)
     return head + _registers(palette) + out[:length].tobytes() + b"\x1b\\\x1b8"
 
 
-def reduce_colours(picture: NDArray[np.uint32], most: int) -> tuple[NDArray[np.uint16], NDArray[np.int64]]:
-    """Return (h, w) colour numbers and (n, 3) red, green, blue of 0..255 of a picture, n at most ``most``.
+def reduce_colours(
+    picture: NDArray[np.uint32], most: int
+) -> tuple[NDArray[np.uint16], NDArray[np.uint8], NDArray[np.int64]]:
+    """Return (h, w) packed colours, (32768,) the number of each, and (n, 3) red, green, blue of the numbers.
 
-    Colours are told apart by five bits a channel, which keeps the steps of a shading ramp.
+    There are at most ``most`` numbers, and never more than 256. Colours are told apart by five bits a channel, which
+    keeps the steps of a shading ramp.
     """
-    packed = fifths(picture)
-    counts = np.bincount(packed.ravel(), minlength=32768)
+    from layfigure_frontends.terminal.kernels.colour_count import count_colours
+
+    packed, counts = np.empty(picture.shape, np.uint16), np.zeros(32768, np.int64)
+    count_colours(np.ascontiguousarray(picture).ravel(), packed.ravel(), counts)
     found = np.flatnonzero(counts)
     found = found[np.argsort(-counts[found], kind="stable")]
     channels = spread(found)
-    table = np.zeros(32768, np.uint16)
+    numbers = np.zeros(32768, np.uint8)
     kept = min(max(most, 2), 256, len(found))
-    table[found[:kept]] = np.arange(kept)
+    numbers[found[:kept]] = np.arange(kept)
     if kept < len(found):
-        table[found[kept:]] = _nearest(channels[kept:], channels[:kept])
-    return table[packed], channels[:kept]
+        numbers[found[kept:]] = _nearest(channels[kept:], channels[:kept])
+    return packed, numbers, channels[:kept]
 
 
 def kitty_picture(picture: NDArray[np.uint32], cell: tuple[int, int], number: int) -> bytes:

@@ -1,11 +1,14 @@
-"""Signals as facts to be asked for: a handler only notes what came and wakes the loop."""
+"""Signals as facts to be asked for: a handler only notes what came, and a byte in a pipe wakes the loop.
+
+The byte is written by the interpreter's own handler (``set_wakeup_fd``): one in Python runs too late for a loop that is
+just about to wait.
+"""
 
 from __future__ import annotations
 
 import os
 import signal
 import threading
-from contextlib import suppress
 from types import FrameType
 from typing import Any
 
@@ -24,16 +27,20 @@ class Signals:
         self._wake = wake
         self._came: set[int] = set()
         self._before: dict[int, Any] = {}
+        self._woken_before = -1
 
     def catch(self) -> None:
         """Begin to note signals."""
         if threading.current_thread() is threading.main_thread():
+            self._woken_before = signal.set_wakeup_fd(self._wake, warn_on_full_buffer=False)
             self._before = {number: signal.signal(number, self._note) for number in _NOTED}
 
     def release(self) -> None:
         """Put back the handlers that were there before."""
         for number, handler in self._before.items():
             signal.signal(number, signal.SIG_DFL if handler is None else handler)
+        if self._before:
+            signal.set_wakeup_fd(self._woken_before)
         self._before = {}
 
     def take(self, *numbers: int) -> int:
@@ -54,5 +61,3 @@ class Signals:
         if number in ENDING and number in self._came:
             raise SystemExit(128 + number)  # asked to end twice, and the loop has not even taken the first
         self._came.add(number)
-        with suppress(OSError):
-            os.write(self._wake, b"\0")

@@ -107,16 +107,17 @@ class PosixTerminal:
         until = None if seconds is None else time.monotonic() + max(seconds, 0.0)
         while True:
             left = None if until is None else max(until - time.monotonic(), 0.0)
+            before = len(self._queue)
             readable = self._select(left)
             if self._closed:
                 return Arrival(ended="closed")
             data = self._read() if self._terminal in readable else b""
             woken = self._woken in readable and bool(self._drain())
-            arrival = self._arrival(data)
+            arrival = self._arrival(data, drained=bool(before) and not self._queue)
             if woken or arrival != Arrival() or left == 0.0:
                 return arrival
 
-    def _arrival(self, data: bytes) -> Arrival:
+    def _arrival(self, data: bytes, *, drained: bool) -> Arrival:
         """Return what came, with what the signals say; a stop happens in here."""
         ending = self._signals.take(*ENDING)
         if ending:
@@ -129,7 +130,7 @@ class PosixTerminal:
         if resumed:
             self._take_over()
         resized = bool(self._signals.take(signal.SIGWINCH))
-        return Arrival(data, resized=resized, resumed=resumed, ended="closed" if self._closed else "")
+        return Arrival(data, drained, resized, resumed, "closed" if self._closed else "")
 
     def _select(self, seconds: float | None) -> list[int]:
         """Return which of our ends have something to read, after writing if the terminal takes something."""
@@ -159,17 +160,16 @@ class PosixTerminal:
 
     def _push(self) -> None:
         """Write from the queue until it is empty or the terminal takes no more."""
-        while self._queue and not self._closed:
+        written = 0
+        with memoryview(self._queue) as waiting:
             try:
-                written = os.write(self._terminal, self._queue[:_CHUNK])
+                while written < len(waiting):
+                    written += os.write(self._terminal, waiting[written : written + _CHUNK])
             except BlockingIOError:
-                return
+                pass
             except OSError:
                 self._closed = True
-                break
-            del self._queue[:written]
-        if self._closed:
-            self._queue.clear()
+        del self._queue[: len(self._queue) if self._closed else written]
 
     def _take_over(self) -> None:
         """Enter raw mode and the alternate screen."""

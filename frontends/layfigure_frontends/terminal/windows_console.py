@@ -46,6 +46,7 @@ class WindowsConsole:
         self._input: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
         self._output: deque[bytes] = deque()
         self._unwritten = 0
+        self._drained = False
         self._more = threading.Condition()
         self._size = self.size()
 
@@ -109,10 +110,11 @@ class WindowsConsole:
             except queue.Empty:
                 woken = False
             before, self._size = self._size, self.size()
+            drained, self._drained = self._drained, False
             if data is None:
                 return Arrival(ended="closed")
-            if woken or self._size != before or (until is not None and time.monotonic() >= until):
-                return Arrival(data, resized=self._size != before)
+            if woken or drained or self._size != before or (until is not None and time.monotonic() >= until):
+                return Arrival(data, drained, self._size != before)
 
     def _mode(self, end: ctypes.c_void_p) -> int:
         mode = ctypes.c_uint32()
@@ -140,4 +142,7 @@ class WindowsConsole:
             self._system.WriteFile(self._ends[1], data, len(data), ctypes.byref(count), None)
             with self._more:
                 self._unwritten -= len(data)
+                self._drained = not self._unwritten
                 self._more.notify_all()
+            if self._drained:
+                self.wake()

@@ -11,11 +11,17 @@ from layfigure_frontends.terminal import cells
 from layfigure_frontends.terminal.cells import Grid, Ink
 from layfigure_frontends.terminal.colours import resolve
 from layfigure_frontends.terminal.depth import Depth
-from layfigure_frontends.terminal.encoder import CellEncoder, compiled_encoder
+from layfigure_frontends.terminal.encoder import CellEncoder
 
 COLOURS = [0x14171C, 0x6E747E, 0xFFA6D9, 0xFFE81A, 0xE0641E, 0xFFFFFF, 0x000000, 0x010203]
 GLYPHS = list(" aZ~│é€▀▄█⠿😐")
 BYTES_A_CELL = 64
+
+
+def compiled_encoder(depth):
+    encoder = CellEncoder(depth)
+    encoder.speed_up()
+    return encoder
 
 
 def scribble(grid, random):

@@ -119,6 +119,52 @@ def test_a_lost_answer_holds_the_picture_for_two_seconds_at_most():
     assert fence.asking
 
 
+def exchange(fence, now, took):
+    """Send a telling frame and have it answered."""
+    fence.sent(5000, now)
+    fence.answered(now + took)
+
+
+def at_full_quality():
+    fence = Fence(Depth.TRUE)
+    fence.probe(0.0)
+    fence.answered(0.01)
+    exchange(fence, 0.1, 0.01)
+    exchange(fence, 0.2, 0.01)
+    assert fence.quality == Quality(Depth.TRUE)
+    return fence
+
+
+def test_a_frame_made_before_the_quality_went_down_does_not_send_it_down_again():
+    fence = at_full_quality()
+    fence.sent(50000, 1.0)
+    fence.sent(50000, 1.1)
+    fence.answered(1.5)
+    fence.answered(1.9)
+    assert fence.quality == Quality(Depth.TRUE_5_BITS)
+
+
+def test_three_slow_answers_in_a_row_count_and_a_quick_one_between_them_forgives():
+    fence = at_full_quality()
+    for now, took in ((1, 0.15), (2, 0.15), (3, 0.01), (4, 0.15), (5, 0.15)):
+        exchange(fence, now, took)
+    assert fence.quality == Quality(Depth.TRUE)
+    exchange(fence, 6, 0.15)
+    assert fence.quality == Quality(Depth.TRUE_5_BITS)
+
+
+def test_after_going_up_too_early_the_next_try_waits_twice_as_long():
+    fence = at_full_quality()
+    exchange(fence, 10.0, 0.5)
+    exchange(fence, 12.6, 0.01)
+    assert fence.quality == Quality(Depth.TRUE)
+    exchange(fence, 13.0, 0.5)
+    exchange(fence, 16.0, 0.01)
+    assert fence.quality == Quality(Depth.TRUE_5_BITS)
+    exchange(fence, 17.6, 0.01)
+    assert fence.quality == Quality(Depth.TRUE)
+
+
 def test_an_answer_that_was_not_asked_for_changes_nothing():
     fence = Fence(Depth.TRUE)
     fence.answered(0.0)

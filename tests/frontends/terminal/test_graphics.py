@@ -99,14 +99,14 @@ def test_a_noisy_picture_uses_no_more_colours_than_allowed_and_every_pixel_is_pa
 def test_with_too_few_colours_the_common_ones_are_kept_and_the_others_take_the_nearest():
     picture = np.full((6, 100), 0x0000FF, np.uint32)
     picture[:, :30], picture[0, 0], picture[0, 1] = 0xFFFFFF, 0xF0F0F8, 0x1010E0
-    numbers, palette = reduce_colours(picture, 2)
+    packed, numbers, palette = reduce_colours(picture, 2)
     assert palette.tolist() == [[0, 0, 255], [255, 255, 255]]
-    assert numbers[0, :3].tolist() == [1, 0, 1]
+    assert numbers[packed][0, :3].tolist() == [1, 0, 1]
 
 
 def test_a_shading_ramp_keeps_its_steps():
     ramp = np.repeat(np.arange(0, 256, 8, dtype=np.uint32) * 0x010101, 4).reshape(1, -1)
-    _, palette = reduce_colours(ramp, 64)
+    _, _, palette = reduce_colours(ramp, 64)
     assert len(palette) == 32
 
 

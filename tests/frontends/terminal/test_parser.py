@@ -271,5 +271,5 @@ def test_alt_and_what_else_begins_a_sequence_is_decided_by_time_too(letter):
 
 
 def test_control_z_breaks_off_a_stuck_sequence_and_still_counts():
-    for stuck in (b"\x1b[12;", b"\x1b_Gi=31", b"\x1b]0;title", b"\x1bO", b"\xe2\x82"):
+    for stuck in (b"\x1b[12;", b"\x1b_Gi=31", b"\x1b]0;title", b"\x1bO", b"\x1b[M", b"\xe2\x82"):
         assert Parser().feed(stuck + b"\x1a", 0.0) == [KeyEvent("ctrl+z")]

@@ -178,6 +178,8 @@ def test_what_was_not_taken_at_once_is_written_while_waiting(start):
         "from layfigure_frontends.terminal.tty import PosixTerminal\n"
         "with PosixTerminal() as terminal:\n"
         "    terminal.write(b'x' * (1 << 18) + b'<end>')\n"
+        "    while not terminal.wait(None).drained: pass\n"
+        "    assert not terminal.unwritten\n"
         "    while b'q' not in terminal.wait(None).data: pass\n"
     )
     assert program.wait_for(b"<end>").count(b"x") == 1 << 18
@@ -244,6 +246,15 @@ def test_without_a_terminal_a_sentence_says_so(capfd):
 
     with pytest.raises(TerminalError, match="--plain"):
         open_terminal()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there it is at home")
+def test_the_windows_driver_can_be_imported_elsewhere_and_says_that_it_is_not_at_home():
+    from layfigure_frontends.terminal.driver import TerminalError
+    from layfigure_frontends.terminal.windows_console import WindowsConsole
+
+    with pytest.raises(TerminalError, match="no Windows console"):
+        WindowsConsole()
 
 
 def test_restoring_undoes_whatever_entering_does():

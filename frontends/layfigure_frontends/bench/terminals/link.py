@@ -59,7 +59,7 @@ def watch(command: Sequence[str], environment: Mapping[str, str], link: Link, re
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", ROWS + 1, COLUMNS, 0, 0))
     program = subprocess.Popen(
-        command, stdin=slave, stdout=slave, stderr=subprocess.DEVNULL, env=dict(environment), start_new_session=True
+        command, stdin=slave, stdout=slave, stderr=slave, env=dict(environment), start_new_session=True
     )
     os.close(slave)
     watcher = _Watcher(master, link)

@@ -19,7 +19,7 @@ from layfigure_frontends.bench.terminals.link import Link, Seen, watch
 from layfigure_frontends.bench.terminals.scene import COLUMNS, ROWS, animation
 from layfigure_frontends.terminal.cells import Grid
 from layfigure_frontends.terminal.depth import Depth
-from layfigure_frontends.terminal.encoder import CellEncoder, compiled_encoder
+from layfigure_frontends.terminal.encoder import CellEncoder
 
 LINKS = (Link("direct"), Link("2 Mbit/s, 40 ms", 2e6, 0.04))
 PEERS = {"Textual": "textual_program", "curses": "curses_program"}
@@ -42,7 +42,8 @@ def rows(quick: bool) -> list[Row]:
 
 
 def _frames(depth: Depth, grids: list[Grid]) -> Iterator[Row]:
-    encoder = compiled_encoder(depth)
+    encoder = CellEncoder(depth)
+    encoder.speed_up()
     sizes = [len(encoder.encode(grid)) for grid in grids * 2][len(grids) :]
     counter = iter(range(10**9))
     spent = median_seconds(lambda: encoder.encode(grids[next(counter) % len(grids)]), 120)

@@ -10,7 +10,7 @@ from layfigure_frontends.bench.terminals.scene import COLUMNS, FRAMES, ROWS, ask
 from layfigure_frontends.terminal.cells import Grid
 from layfigure_frontends.terminal.depth import choose_depth
 from layfigure_frontends.terminal.driver import open_terminal
-from layfigure_frontends.terminal.encoder import compiled_encoder
+from layfigure_frontends.terminal.encoder import CellEncoder
 from layfigure_frontends.terminal.fence import Fence
 from layfigure_frontends.terminal.parser import Parser
 from layfigure_frontends.terminal.replies import CursorReport
@@ -20,7 +20,8 @@ def main() -> None:
     """Play until the time is up, each key answered in the next frame."""
     frames, performance = asked()
     depth = choose_depth(os.environ)
-    encoder, fence, parser, grid = compiled_encoder(depth), Fence(depth), Parser(), Grid(COLUMNS, ROWS + 1)
+    encoder, fence, parser, grid = CellEncoder(depth), Fence(depth), Parser(), Grid(COLUMNS, ROWS + 1)
+    encoder.speed_up()
     with open_terminal() as terminal:
         terminal.write(fence.probe(time.monotonic()))
         shown, urgent = -1, False

@@ -59,23 +59,24 @@ def _line(out: Any, n: int, dots: Any) -> int:
     return n
 
 
-@entry(int64(read_only(uint16, 2), int64, uint8[::1]))
-def write_bands(colours: Any, count: int, out: Any) -> int:
+@entry(int64(read_only(uint16, 2), read_only(uint8, 1), int64, uint8[::1]))
+def write_bands(packed: Any, numbers: Any, count: int, out: Any) -> int:
     """Write all bands of a picture of colour numbers; return how many bytes, or -1 where ``out`` is too small.
 
     Args:
-        colours: (h, w) uint16 colour numbers, each less than ``count``.
+        packed: (h, w) what colour each pixel has, in 15 bits.
+        numbers: (32768,) which of the picture's colours that is, each less than ``count``.
         count: how many colours there are.
         out: room for the bytes.
     """
-    height, width = colours.shape
+    height, width = packed.shape
     dots = np.zeros((count, width), np.uint8)
     used = np.zeros(count, np.bool_)
     n = int64(0)
     for top in range(0, height, 6):
         for row in range(min(int64(6), height - top)):
             for x in range(width):
-                colour = colours[top + row, x]
+                colour = numbers[packed[top + row, x]]
                 dots[colour, x] |= 1 << row
                 used[colour] = True
         first = True
