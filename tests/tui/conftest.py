@@ -72,7 +72,7 @@ class Terminal:
         """Press keys one by one, by tmux's names."""
         for name in names:
             self.tmux("send-keys", name)
-            time.sleep(0.08)  # an Escape and a key that follow at once are one key with Alt
+            time.sleep(0.08)
 
     def type(self, text: str, *names: str) -> None:
         """Type text, then press keys."""

@@ -20,7 +20,7 @@ ROW = 2  # half-block pixels of a line of text
 
 
 class Tone(NamedTuple):
-    """How text looks. ``strong`` is bold; ``inverse`` says where no colours are what a filled background says."""
+    """How text looks. ``strong`` is bold; ``inverse`` says where colours are few what a filled background says."""
 
     ink: RGB
     paper: RGB
@@ -85,8 +85,17 @@ class Paper:
             self.grid.cells[name] = mixed
 
     def _ink(self, tone: Tone) -> Ink:
-        style = BOLD * tone.strong | UNDERLINE * tone.line | REVERSE * (tone.inverse and self.colourless)
+        style = BOLD * tone.strong | UNDERLINE * tone.line | REVERSE * self._turned(tone)
         return Ink(packed(tone.ink), packed(tone.paper), style)
+
+    def _turned(self, tone: Tone) -> bool:
+        """Whether ink and paper change places: of 16 colours a dark background is black like all others."""
+        few = self.depth == Depth.CLASSES_16 and not _bright(tone.paper)
+        return tone.inverse and (self.colourless or few)
+
+
+def _bright(colour: RGB) -> bool:
+    return max(colour) >= 128
 
 
 def packed(colour: RGB) -> int:
