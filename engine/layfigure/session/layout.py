@@ -128,6 +128,12 @@ class Column:
         return max(min(most, int(self.area.width // max(self.of.button_least * self.unit, 1))), 1)
 
 
+def stretched(box: Rectangle, across: float, down: float) -> Rectangle:
+    """Return a rectangle on a surface of so many times the width and height; what touched still touches."""
+    left, top = round(box.x * across), round(box.y * down)
+    return Rectangle(left, top, round((box.x + box.width) * across) - left, round((box.y + box.height) * down) - top)
+
+
 def pane_at(panes: tuple[Pane, ...], x: float, y: float) -> Pane | None:
     """Return the pane under a point."""
     return next((pane for pane in panes if pane.rectangle.contains(x, y)), None)

@@ -27,7 +27,7 @@ from layfigure.session.events import Event
 from layfigure.session.figures import reference_to
 from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
-from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken, told_first
+from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, hints, spoken, told_first
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.routing import route
@@ -101,20 +101,17 @@ class Session:
         """Return what to show on a surface of that size."""
         return self._stage.compose(size).frame
 
-    def draw(self, frame: Frame, target: Target) -> None:
-        """Draw the views of the frame composed last into a target; falls back where a renderer fails."""
-        picture = self._stage.picture
-        assert picture.frame is frame
-        self.render(picture.render_list, target)
+    def draw(
+        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
+    ) -> None:
+        """Draw the views of the frame composed last into a target; falls back where a renderer fails.
 
-    def draw_kinds(self, frame: Frame, target: Target) -> None:
-        """Draw the frame composed last so that :func:`layfigure.drawing.joint_kinds.kinds_shown` can read the target.
-
-        That says for every pixel how the joint of the limb shown there moves, for screens without enough colours.
+        With ``kinds`` so that :func:`layfigure.drawing.joint_kinds.kinds_shown` can tell what every pixel shows;
+        ``enlarged`` across and down, for a target of more pixels than the frame.
         """
-        picture = self._stage.picture
-        assert picture.frame is frame
-        self.render(coded_by_kind(picture.render_list, self.document.figure), target, PLAIN)
+        assert self._stage.picture.frame is frame
+        listed = self._stage.enlarged(*enlarged)
+        self.render(coded_by_kind(listed, self.document.figure) if kinds else listed, target, PLAIN if kinds else None)
 
     def begin(self, document: Document) -> None:
         """Start over with a document: no history, a log that says where it begins."""
@@ -328,19 +325,7 @@ class Session:
 
     def hints(self) -> tuple[tuple[str, str], ...]:
         """Return the few keys worth showing in the status line now; what a technique's own keys hide is left out."""
-        table, now = self.key_table(), self.situation
-        valid = list(table.valid(now))
-        taken = {key for binding in valid if binding.technique for key in binding.keys}
-        shown = [each for each in valid if each.hint and (each.technique or each.keys[0] not in taken)]
-        return tuple(
-            (
-                f"{spoken(binding.keys[0])}–{spoken(binding.keys[-1])}"
-                if "{key}" in binding.command
-                else spoken(binding.keys[0]),
-                binding.hint,
-            )
-            for binding in shown
-        )
+        return hints(self.key_table(), self.situation)
 
     def describe_selection(self) -> tuple[str, ...]:
         """Return lines that say what is selected and how it stands."""
@@ -374,13 +359,14 @@ class Session:
 
     def render(self, render_list: RenderList, target: Target, look: Look | None = None) -> None:
         """Draw with the chosen renderer, or the next that works, in the view's look or another."""
-        look = self.view.look if look is None else look
         for identifier in self._renderer_order():
             record = self.host.renderers[identifier]
             try:
                 if identifier not in self._renderers:
                     self._renderers[identifier] = self.host.call(record, "making", record.make)
-                self.host.call(record, "drawing", self._renderers[identifier].draw, render_list, target, look)
+                self.host.call(
+                    record, "drawing", self._renderers[identifier].draw, render_list, target, look or self.view.look
+                )
             except PluginError as error:
                 self.say(str(error))
             else:

@@ -21,7 +21,17 @@ from layfigure.poses.locks import locked_joints, tips_of
 from layfigure.poses.pose import Pose
 from layfigure.session.frame import Frame, Label, Outline, Pane, Sign, Size, Widget, WorldLine
 from layfigure.session.joint_dials import joint_dials, joint_sliders
-from layfigure.session.layout import Areas, Column, areas, candidate_views, grid, pane_at, poser_views, three_views
+from layfigure.session.layout import (
+    Areas,
+    Column,
+    areas,
+    candidate_views,
+    grid,
+    pane_at,
+    poser_views,
+    stretched,
+    three_views,
+)
 from layfigure.session.metrics import Metrics, metrics
 from layfigure.session.panel import PanelText, panel
 from layfigure.session.signs import drawn, lock_marks, overlay_lines, technique_marks
@@ -42,6 +52,7 @@ class Picture:
     poses: tuple[Pose, ...]
     shots: tuple[Shot, ...]
     render_list: RenderList
+    colouring: Colouring
 
 
 class Stage:
@@ -83,9 +94,18 @@ class Stage:
             text_input=session.mode.state == "palette",
             theme=session.view.theme,
         )
-        listed = build_render_list(session.document.figure, poses, shots, self._colouring(len(poses), skeleton))
-        self._picture = Picture(frame, poses, tuple(shots), listed)
+        colouring = self._colouring(len(poses), skeleton)
+        listed = build_render_list(session.document.figure, poses, shots, colouring)
+        self._picture = Picture(frame, poses, tuple(shots), listed, colouring)
         return self._picture
+
+    def enlarged(self, across: float, down: float) -> RenderList:
+        """Return what the last picture shows on a surface of so many times its width and height."""
+        picture = self.picture
+        if (across, down) == (1.0, 1.0):
+            return picture.render_list
+        shots = [replace(shot, rectangle=stretched(shot.rectangle, across, down)) for shot in picture.shots]
+        return build_render_list(self._session.document.figure, picture.poses, shots, picture.colouring)
 
     @property
     def picture(self) -> Picture:

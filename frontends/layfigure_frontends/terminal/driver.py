@@ -55,6 +55,9 @@ class Driver(Protocol):
     def size(self) -> ScreenSize:
         """Return the screen's size; 80 x 24 where it is not told."""
 
+    def cell_pixels(self) -> tuple[int, int] | None:
+        """Return a cell's width and height in pixels where that is known without asking."""
+
     def wait(self, seconds: float | None) -> Arrival:
         """Wait for input, a signal or :meth:`wake`, at most so long; meanwhile write what is still to be written."""
 

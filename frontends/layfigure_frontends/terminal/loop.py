@@ -43,11 +43,10 @@ class Door(Protocol):
     def frame(self, size: Size) -> Frame:
         """Return what to show."""
 
-    def draw(self, frame: Frame, target: Target) -> None:
+    def draw(
+        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
+    ) -> None:
         """Draw the frame's views."""
-
-    def draw_kinds(self, frame: Frame, target: Target) -> None:
-        """Draw the frame's views by kinds of joints."""
 
     def run(self, text: str) -> None:
         """Run a command line."""
@@ -74,7 +73,7 @@ class Loop:
         self._terminal = terminal
         self._session = session
         self._parser = Parser()
-        self._abilities = Abilities()
+        self._abilities = Abilities(cell_pixels=terminal.cell_pixels())
         self._screen = Screen(terminal, session, choose_depth(os.environ, options.colour), options)
         self._screen.abilities(self._abilities)
         self._move: PointerEvent | None = None
@@ -109,7 +108,7 @@ class Loop:
     def _take(self, arrival: Arrival) -> None:
         now = time.monotonic()
         if arrival.resumed or arrival.resized:
-            self._screen.begin_anew(asked_again=arrival.resumed)
+            self._screen.begin_anew()
         if arrival.resumed:
             self._terminal.write(self._screen.probe(now) + queries(os.environ))
         while self._warmed:

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import os
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.errors import LayfigureError
-from layfigure.session.frame import Size
+from layfigure.session.frame import Frame, Size
 from layfigure_frontends.terminal.app import small
 from layfigure_frontends.terminal.cells import Grid
-from layfigure_frontends.terminal.depth import Abilities, Depth
+from layfigure_frontends.terminal.depth import Abilities, Depth, Picture
 from layfigure_frontends.terminal.encoder import CellEncoder
 from layfigure_frontends.terminal.fence import Fence
 from layfigure_frontends.terminal.painter import Painted, paint
 from layfigure_frontends.terminal.paper import ROW
+from layfigure_frontends.terminal.sharp import SharpViews
 
 if TYPE_CHECKING:
     from layfigure_frontends.terminal.app import TerminalOptions
@@ -35,6 +37,9 @@ class Screen:
         self._pace = 1.0 / max(options.fps, 1.0)
         self._sent_at = 0.0
         self._urgent = False
+        self._graphics, self._best = options.graphics, depth
+        self._sharp: SharpViews | None = None
+        self._sharp_now = False
         self._size = terminal.size()
         self._painted: Painted | None = None
         self._shown: tuple[object, ...] | None = None
@@ -45,8 +50,14 @@ class Screen:
         return self._fence.probe(now)
 
     def abilities(self, abilities: Abilities) -> None:
-        """Take in what the terminal can do."""
+        """Take in what the terminal can do; sharp pictures take the place of half blocks where it shows them."""
         self._encoder.synchronised = abilities.synchronised
+        kind, cell = abilities.picture(os.environ, self._graphics), abilities.cell_pixels
+        if kind == Picture.CELLS or cell is None:
+            return
+        if self._sharp is None or (self._sharp.kind, self._sharp.cell) != (kind, cell):
+            self._sharp = SharpViews(kind, cell, abilities.sixel_colours)
+            self._shown = None
 
     def answered(self, now: float) -> None:
         """Hear that the terminal has drawn a frame."""
@@ -60,10 +71,11 @@ class Screen:
         """Use machine code from now on."""
         self._encoder.speed_up()
 
-    def begin_anew(self, *, asked_again: bool) -> None:
+    def begin_anew(self) -> None:
         """Take it that the terminal's size may have changed, and that nothing is left of what it showed."""
-        del asked_again
         self._size = self._terminal.size()
+        if self._sharp is not None:
+            self._terminal.write(self._sharp.forget())
         self._encoder.forget()
         self._shown = None
         self._urgent = True
@@ -85,8 +97,8 @@ class Screen:
             return
         self._shown = self._state()
         self._encoder.depth = self._fence.quality.depth
-        grid, cursor = self._paint()
-        data = self._encoder.encode(grid, cursor)
+        grid, cursor, pictures = self._paint()
+        data = self._encoder.encode(grid, cursor) + pictures
         self._urgent = False
         if data:
             self._sent_at = time.monotonic()
@@ -114,14 +126,35 @@ class Screen:
     def _stale(self) -> bool:
         return self._state() != self._shown
 
-    def _paint(self) -> tuple[Grid, tuple[int, int]]:
+    def _paint(self) -> tuple[Grid, tuple[int, int], bytes]:
         sentence = small(self._size)
         if sentence:
-            return _sentence(sentence, Grid(self._size.columns, self._size.rows)), (0, 0)
+            blank = Grid(self._size.columns, self._size.rows)
+            pictures = self._sharpen(None)
+            return _sentence(sentence, blank), (0, 0), pictures
         frame = self._session.frame(Size(self._size.columns, self._size.rows * ROW, cells=True))
         self.typing = frame.text_input
         self._painted = paint(frame, self._session, self._encoder.depth)
-        return self._painted.grid, self._painted.cursor
+        return self._painted.grid, self._painted.cursor, self._sharpen(frame)
+
+    def _sharpen(self, frame: Frame | None) -> bytes:
+        """Return the bytes of pictures over the cells; under a dialog and on a slow link there are none."""
+        if self._sharp is None:
+            return b""
+        banding = frame is not None and any(outline.role == "band" for outline in frame.outlines)
+        usable = frame is not None and frame.overlay is None and not banding
+        if frame is None or self._painted is None or not usable or self._fence.quality.depth != self._best:
+            if self._sharp_now:
+                self._sharp_now = False
+                self._encoder.forget()
+                return self._sharp.forget()
+            return b""
+        gone = b""
+        if self._sharp.misplaced(frame):
+            self._encoder.forget()
+            gone = self._sharp.forget()
+        self._sharp_now = True
+        return gone + self._sharp.draw(frame, self._session, self._painted.grid)
 
 
 def _sentence(text: str, grid: Grid) -> Grid:

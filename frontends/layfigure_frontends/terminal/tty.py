@@ -84,12 +84,22 @@ class PosixTerminal:
 
     def size(self) -> ScreenSize:
         """Return the screen's size in cells."""
+        rows, columns, _, _ = self._window()
+        return ScreenSize(columns, rows) if columns and rows else _UNTOLD
+
+    def cell_pixels(self) -> tuple[int, int] | None:
+        """Return a cell's width and height in pixels where the terminal has told its own, as xterm does."""
+        rows, columns, width, height = self._window()
+        cell = (width // columns, height // rows) if columns and rows else (0, 0)
+        return cell if all(cell) else None
+
+    def _window(self) -> tuple[int, int, int, int]:
         try:
             told = fcntl.ioctl(self._terminal, termios.TIOCGWINSZ, bytes(8))
         except OSError:
-            return _UNTOLD
-        rows, columns = struct.unpack("4H", told)[:2]
-        return ScreenSize(columns, rows) if columns and rows else _UNTOLD
+            return 0, 0, 0, 0
+        rows, columns, width, height = struct.unpack("4H", told)
+        return rows, columns, width, height
 
     def write(self, data: bytes) -> None:
         """Write what the terminal takes at once and keep the rest for :meth:`wait`."""

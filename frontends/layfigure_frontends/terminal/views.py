@@ -19,11 +19,10 @@ from layfigure_frontends.theme import RGB, load_theme
 class Drawer(Protocol):
     """Who draws a frame's views: a session."""
 
-    def draw(self, frame: Frame, target: Target) -> None:
-        """Draw the views."""
-
-    def draw_kinds(self, frame: Frame, target: Target) -> None:
-        """Draw the views so that kinds of joints can be read from them."""
+    def draw(
+        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
+    ) -> None:
+        """Draw the views, or so that kinds of joints can be read from them, or larger."""
 
 
 def begin(frame: Frame, drawer: Drawer, depth: Depth) -> Paper:
@@ -36,7 +35,7 @@ def begin(frame: Frame, drawer: Drawer, depth: Depth) -> Paper:
         drawer.draw(frame, Target(pixels))
         if depth <= Depth.CLASSES_16:
             coded = np.zeros_like(pixels)
-            drawer.draw_kinds(frame, Target(coded))
+            drawer.draw(frame, Target(coded), kinds=True)
             kinds = kinds_shown(coded)
     paper = Paper(Grid(width, rows), pixels, kinds, theme, depth)
     for line in frame.lines:

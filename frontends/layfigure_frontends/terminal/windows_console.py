@@ -87,6 +87,10 @@ class WindowsConsole:
         except OSError:
             return ScreenSize(80, 24)
 
+    def cell_pixels(self) -> tuple[int, int] | None:
+        """Return nothing: a console does not tell."""
+        return None
+
     def write(self, data: bytes) -> None:
         """Hand bytes to the thread that writes."""
         with self._more:

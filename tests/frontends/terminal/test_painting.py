@@ -75,7 +75,7 @@ def test_figures_are_not_squeezed(session):
     frame = session.frame(surface(160, 50))
     pane = next(pane for pane in frame.panes if pane.view == "main")
     coded = Target(np.zeros((100, 160), np.uint32))
-    session.draw_kinds(frame, coded)
+    session.draw(frame, coded, kinds=True)
     x, y, width, height = pane.rectangle
     rows, columns = np.nonzero(kinds_shown(coded.pixels)[y : y + height, x : x + width])
     tall, wide = np.ptp(rows) + 1, np.ptp(columns) + 1
