@@ -7,27 +7,30 @@ import sys
 
 from layfigure.errors import LayfigureError
 
-FRONTENDS = ("auto", "sdl", "terminal", "headless")
+FRONTENDS = ("auto", "sdl", "terminal", "plain", "headless")
 
 
 def choose_frontend(asked: str) -> str:
-    """Return "sdl", "terminal" or "headless" for what was asked.
+    """Return "sdl", "terminal", "plain" or "headless" for what was asked.
 
     Raises:
         LayfigureError: what is asked for cannot be had here: a window without a display, or no terminal.
     """
     if asked == "auto":
-        return "sdl" if has_display() else "terminal" if at_terminal() else "headless"
+        return "sdl" if has_display() else _without_display()
     if asked == "sdl" and not has_display() and not os.environ.get("SDL_VIDEODRIVER"):
-        raise LayfigureError("there is no display here for a window; set DISPLAY or use --frontend terminal")
+        raise LayfigureError(
+            "there is no display here for a window; set DISPLAY, or use --frontend terminal or --plain"
+        )
     if asked == "terminal" and not _has_terminal():
-        raise LayfigureError("standard input and output are no terminal; start in one or use --frontend headless")
+        raise LayfigureError("standard input and output are no terminal; start in one, or use --plain")
     return asked
 
 
-def at_terminal() -> bool:
-    """Whether there is a terminal here that shows more than lines of text."""
-    return _has_terminal() and os.environ.get("TERM") != "dumb"
+def _without_display() -> str:
+    if not _has_terminal():
+        return "headless"
+    return "plain" if os.environ.get("TERM") == "dumb" else "terminal"
 
 
 def _has_terminal() -> bool:
@@ -37,5 +40,5 @@ def _has_terminal() -> bool:
 def has_display() -> bool:
     """Whether a window can be expected to open here."""
     if sys.platform in ("win32", "darwin"):
-        return not os.environ.get("SSH_CONNECTION")
+        return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

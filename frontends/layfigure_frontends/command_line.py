@@ -14,6 +14,7 @@ from layfigure.errors import LayfigureError
 _COMMANDS = {
     "pose": "Pose a figure: the main job (the default).",
     "replay": "Play a session log without a window.",
+    "describe": "Say a pose in words.",
     "diff": "Say what sets two poses apart, in words and numbers.",
     "render": "Draw a pose or a session's result to a picture.",
     "breathe": "Write small variants of a pose as a set or a loop.",
@@ -29,6 +30,7 @@ Examples:
   layfigure                        pose the humanoid
   layfigure horse                  pose another figure
   layfigure my.pose                go on with a pose
+  layfigure --plain                pose by typed lines: for screen readers, dumb terminals and pipes
   layfigure render my.pose -o my.png
   layfigure diff before.pose after.pose
   layfigure breathe my.pose -o loop.gif

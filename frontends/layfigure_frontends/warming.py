@@ -123,6 +123,8 @@ class Warming:
         quiet = subprocess.DEVNULL
         for part in self._parts:
             command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", "--only", part]
-            self._compilers[part] = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet)
+            self._compilers[part] = subprocess.Popen(
+                command, stdin=quiet, stdout=quiet, stderr=quiet, process_group=0
+            )  # in a group of their own, so that Ctrl-C at a prompt does not end them
         if self._stopped.is_set():
             self.stop()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from layfigure import compiled
@@ -26,12 +26,14 @@ class Solvers:
     """The solvers of one session, made once per figure and kept.
 
     ``waits`` says whether a compiled solver is waited for: a replay must not depend on what is ready yet, but a window
-    stays usable while it is compiled.
+    stays usable while it is compiled. ``await_compiled`` is called where it is not waited for and not ready; a front
+    end that wants to say that it waits puts its waiting there.
     """
 
     def __init__(self, host: Host) -> None:
         self.waits = True
         self._host = host
+        self.await_compiled: Callable[[], None] = lambda: None
         self._made: dict[tuple[str, int], tuple[Figure, SolverObject]] = {}
 
     def get(self, identifier: str, figure: Figure) -> SolverObject:
@@ -48,6 +50,8 @@ class Solvers:
             raise ImpossibleError(f'there is no solver "{identifier}"; in service: {known}{hint}')
         if record.compiled and self.waits:
             compiled.load()
+        if record.compiled and not compiled.loaded():
+            self.await_compiled()
         if record.compiled and not compiled.loaded():
             raise ImpossibleError("the solver is still being compiled; try again in a few seconds")
         key = (identifier, id(figure))

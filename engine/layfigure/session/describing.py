@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure, Limb
+from layfigure.figures.spoken import spoken_limb
 from layfigure.poses.locks import kind_of
 from layfigure.session.document import Document
+
+__all__ = ["describe_limbs", "describe_locks", "freedom", "listed_limbs", "spoken_limb"]
 
 _FREEDOM = {
     0: "cannot move",
@@ -57,12 +59,6 @@ def describe_locks(document: Document) -> tuple[str, ...]:
         return ()
     words = [f"{spoken_limb(document.figure, lock.limb)} {_LOCKED[kind_of(lock)]}" for lock in document.locks]
     return (f"Locked: {', '.join(words)}",)
-
-
-def spoken_limb(figure: Figure, index: int) -> str:
-    """Return a limb's name as people say it: ``leftforearm`` becomes ``left forearm``."""
-    name = figure.names[index]
-    return re.sub(r"^(left|right|front|hind|rear|back)(?=[a-z])", r"\1 ", name)
 
 
 def listed_limbs(figure: Figure, limbs: Sequence[int]) -> str:

@@ -148,12 +148,14 @@ class HelpOverlay:
     """A modal page: sections of (title, ((key, what it does), ...)). ``scroll`` is the first line shown.
 
     Where ``keys`` is false the rows begin with amounts rather than keys, to be written and not drawn as key caps.
+    ``spoken`` is the page as lines that stand alone, for front ends that say it; where empty the rows serve.
     """
 
     title: str
     sections: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
     scroll: int = 0
     keys: bool = True
+    spoken: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

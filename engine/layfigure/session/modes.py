@@ -163,7 +163,8 @@ def help_page(table: KeyTable, situation: Situation, titles: dict[str, str]) -> 
 class PaletteMode(Plain):
     """A line to type a command into, with the commands that match.
 
-    With a ``prefix`` what is typed is the word that follows it; ``verbatim`` takes it as several words.
+    With a ``prefix`` what is typed is the word that follows it; ``verbatim`` takes it as several words. A text that is
+    ``offered`` stands there to be accepted or edited; typing at once replaces it.
     """
 
     entries: tuple[Entry, ...]
@@ -173,6 +174,7 @@ class PaletteMode(Plain):
     prefix: str = ""
     message: str = ""
     verbatim: bool = False
+    offered: bool = False
 
     @property
     def state(self) -> str:
@@ -190,7 +192,8 @@ class PaletteMode(Plain):
             typed = event.text if event.text.isprintable() and "ctrl+" not in event.key else ""
             plain = len(event.key) == 1 or event.key == "space" or event.key.startswith(("shift+", "kp"))
             if typed and plain:
-                return [Become(replace(self, text=self.text + typed, chosen=0, message=""))]
+                kept = "" if self.offered else self.text
+                return [Become(replace(self, text=kept + typed, chosen=0, message="", offered=False))]
             return None
         if not isinstance(event, PointerEvent) or not event.pressed:
             return []
@@ -202,7 +205,7 @@ class PaletteMode(Plain):
 
     def erased(self) -> PaletteMode:
         """Return the state without the last character."""
-        return replace(self, text=self.text[:-1], chosen=0, message="")
+        return replace(self, text=self.text[:-1], chosen=0, message="", offered=False)
 
     def moved(self, rows: int) -> PaletteMode:
         """Return the state with another row chosen."""

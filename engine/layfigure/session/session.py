@@ -374,6 +374,9 @@ class Session:
         raise ImpossibleError("no renderer is in service; start without --no-plugin, or with --safe")
 
     def _renderer_order(self) -> list[str]:
+        wanted = self.host.renderers.get(self.view.renderer)
+        if wanted is not None and wanted.compiled and not self._compiled:
+            self.workshop.solvers.await_compiled()
         usable = [key for key, record in self.host.renderers.items() if self._compiled or not record.compiled]
         return sorted(usable, key=lambda key: key != self.view.renderer)
 

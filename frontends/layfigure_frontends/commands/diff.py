@@ -30,6 +30,7 @@ def command(first: Path, second: Path, choice: PluginChoice, *, as_json: bool) -
     from layfigure.poses.difference import difference
     from layfigure.session.commands.files import figure_and_pose
     from layfigure.session.figures import reference_to
+    from layfigure.wording.changes import difference_lines
     from layfigure_frontends.opening import open_host
 
     host = open_host(choice)
@@ -39,21 +40,8 @@ def command(first: Path, second: Path, choice: PluginChoice, *, as_json: bool) -
         sentence = f"{first} is a pose of {figure.name}, {second} one of {other.name}; only poses of one figure compare"
         raise click.UsageError(sentence)
     found = difference(figure, before, after)
-    click.echo(json.dumps(_facts(figure, found), indent=2) if as_json else "\n".join(_lines(figure, found)))
+    click.echo(json.dumps(_facts(figure, found), indent=2) if as_json else "\n".join(difference_lines(figure, found)))
     return 0
-
-
-def _lines(figure: Figure, found: Difference) -> list[str]:
-    from layfigure.session.describing import spoken_limb
-
-    if found.equal:
-        return ["the poses are equal"]
-    lines = [f"the root: carried {found.carried_words}"] if found.carried_words else []
-    for limb in found.limbs:
-        words = ", ".join(angle.words for angle in limb.angles)
-        numbers = ", ".join(f"{angle.kind} {angle.degrees:+.6g}" for angle in limb.angles)
-        lines.append(f"{spoken_limb(figure, limb.limb)}: {words} ({numbers}); its tip moved {limb.tip_distance:.1f}")
-    return [*lines, f"closeness {found.closeness:.1f}, {found.share:.1%} of the figure's length"]
 
 
 def _facts(figure: Figure, found: Difference) -> dict[str, object]:

@@ -16,14 +16,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class WindowChoice:
-    """How the window is to open."""
+    """How the window is to open, or the terminal to be used."""
 
     scale: float | None
     size: str | None
     keymap: str
     no_restore: bool
+    color: str
+    graphics: str
+    fps: float
 
 
+COLOURS = {"auto": "auto", "true": "truecolor", "256": "256", "16": "16", "mono": "mono", "plain": "plain"}
+PICTURES = ("auto", "sixel", "kitty", "cells")
 window_options = as_record(
     "window",
     WindowChoice,
@@ -31,71 +36,79 @@ window_options = as_record(
     click.option("--size", metavar="WxH", help="Size of the window in pixels."),
     click.option("--keymap", default="", metavar="NAME", help="Keys: layfigure, blender or maya."),
     click.option("--no-restore", is_flag=True, help="Do not offer back a session that was not closed."),
+    click.option("--color", type=click.Choice(list(COLOURS)), default="auto", help="Colours in a terminal."),
+    click.option("--graphics", type=click.Choice(PICTURES), default="auto", help="Pictures in a terminal."),
+    click.option("--fps", type=click.FloatRange(1, 60), default=30, help="Most frames a second in a terminal."),
 )
 
 
 @dataclass(frozen=True)
-class TerminalChoice:
-    """How the terminal is to be used."""
+class LineChoice:
+    """Whether to work at the line prompt, and whether a failing line ends it."""
 
-    color: str
-    graphics: str
-    fps: float
+    plain: bool
+    strict: bool
 
 
-COLOURS = {"auto": "auto", "true": "truecolor", "256": "256", "16": "16", "mono": "mono"}
-terminal_options = as_record(
-    "screen",
-    TerminalChoice,
-    click.option("--color", type=click.Choice(list(COLOURS)), default="auto", help="Colours of the terminal."),
-    click.option(
-        "--graphics",
-        type=click.Choice(["auto", "sixel", "kitty", "cells"]),
-        default="auto",
-        help="How the terminal shows pictures.",
-    ),
-    click.option("--fps", type=click.FloatRange(1, 60), default=30, help="Most frames a second in the terminal."),
+line_options = as_record(
+    "lines",
+    LineChoice,
+    click.option("--plain", is_flag=True, help="Work by typed lines and sentences: no window, no cursor movement."),
+    click.option("--strict", is_flag=True, help="With --plain and a pipe: end with status 2 where a line fails."),
 )
 
 
 @click.command("pose")
 @click.argument("what", default="", metavar="[FIGURE|POSE]")
 @click.option("--frontend", type=click.Choice(FRONTENDS), help="Where to work (default: what there is).")
+@line_options
 @window_options
-@terminal_options
 @plugin_options
-def command(what: str, frontend: str | None, window: WindowChoice, screen: TerminalChoice, choice: PluginChoice) -> int:
+def command(what: str, frontend: str | None, lines: LineChoice, window: WindowChoice, choice: PluginChoice) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
     Opens a window where there is a display, else works in the terminal; where there is none either, plays a script and
-    writes a picture and a pose.
+    writes a picture and a pose. With --plain lines are read from a terminal or a pipe and answered in sentences.
     """
     from layfigure.configuration import load_configuration
 
     configuration = load_configuration(choice.config)
-    place = choose_frontend(frontend or configuration.frontend)
-    if place == "terminal":
-        from layfigure import places
-        from layfigure_frontends.terminal import app
+    chosen = "plain" if lines.plain or window.color == "plain" else choose_frontend(frontend or configuration.frontend)
+    if chosen == "plain":
+        from layfigure_frontends.plain.voice import at_terminal, greet
 
-        asked = app.TerminalOptions(COLOURS[screen.color], screen.graphics, screen.fps, places.state())
-        return app.run(lambda: _interactive(choice, what, place, window), asked)
-    if place == "headless":
+        if at_terminal():
+            greet()  # before what takes a moment to import
+        from layfigure_frontends.plain.loop import run as run_prompt
+
+        return run_prompt(lambda: _interactive(choice, what, "plain", window), strict=lines.strict)
+    if chosen == "terminal":
+        return _in_terminal(choice, what, window)
+    if chosen == "headless":
         from layfigure_frontends.headless import pose_without_window
 
         pose_without_window(choice, what)
         return 0
-    from layfigure_frontends.sdl.app import WindowOptions, run
+    from layfigure_frontends.sdl.app import WindowOptions
+    from layfigure_frontends.sdl.app import run as run_window
 
     options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
-    return run(lambda: _interactive(choice, what, place, window), options)
+    return run_window(lambda: _interactive(choice, what, "sdl", window), options)
 
 
-def _interactive(choice: PluginChoice, what: str, place: str, window: WindowChoice) -> Session:
+def _in_terminal(choice: PluginChoice, what: str, window: WindowChoice) -> int:
+    from layfigure import places
+    from layfigure_frontends.terminal.app import TerminalOptions, run
+
+    options = TerminalOptions(COLOURS[window.color], window.graphics, window.fps, places.state())
+    return run(lambda: _interactive(choice, what, "terminal", window), options)
+
+
+def _interactive(choice: PluginChoice, what: str, frontend: str, window: WindowChoice) -> Session:
     from layfigure_frontends.opening import open_session
     from layfigure_frontends.recovery import Recovery
 
-    session = open_session(choice, what, place, window.keymap)
+    session = open_session(choice, what, frontend, window.keymap)
     recovery = Recovery(session)
     session.on_closed = recovery.close
     if not window.no_restore:

@@ -109,10 +109,22 @@ def test_typed_angles_need_only_the_degrees_of_freedom_there_are(session):
     assert session.document.pose.angles[HUMANOID.index("leftforearm"), 0] == 45
 
 
+def test_typing_replaces_the_angles_that_are_offered_and_editing_keeps_them(session):
+    session.run("use fk")
+    session.run("set spine 10 20 5")
+    session.run("select spine")
+    for key in ("=", *"30 0 0", "enter"):
+        session.handle(_key("space" if key == " " else key))
+    assert session.document.pose.angles[HUMANOID.index("spine")].tolist() == [30, 0, 0]
+    for key in ("=", "backspace", "7", "enter"):
+        session.handle(_key(key))
+    assert session.document.pose.angles[HUMANOID.index("spine")].tolist() == [30, 0, 7]
+
+
 def _key(key: str):
     from layfigure.session.events import KeyEvent
 
-    return KeyEvent(key, key if len(key) == 1 else "")
+    return KeyEvent(key, " " if key == "space" else key if len(key) == 1 else "")
 
 
 def test_arrows_nudge_and_the_root_turns_like_a_limb(session):

@@ -14,6 +14,7 @@ from layfigure.session.commands import (
     locks,
     pose,
     resting,
+    saying,
     slots,
     symmetric,
     view,
@@ -35,6 +36,7 @@ BUILT_IN: dict[str, Command] = {
         view,
         files,
         interface,
+        saying,
     )
     for command in module.COMMANDS
 }

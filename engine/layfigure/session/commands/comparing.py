@@ -16,6 +16,7 @@ from layfigure.session.figures import reference_to
 from layfigure.session.frame import HelpOverlay
 from layfigure.session.modes import HelpMode
 from layfigure.session.words import no_more
+from layfigure.wording.changes import difference_lines
 
 if TYPE_CHECKING:
     from layfigure.figures.figure import Figure
@@ -67,7 +68,8 @@ def _page(figure: Figure, found: Difference, name: str) -> HelpOverlay:
         sections.append(
             (spoken_limb(figure, change.limb), (*angles, (f"{change.tip_distance:.1f}", "its tip moved, in units")))
         )
-    return HelpOverlay(f"Compared with {name}", tuple(sections), keys=False)
+    spoken = tuple(difference_lines(figure, found))
+    return HelpOverlay(f"Compared with {name}", tuple(sections), keys=False, spoken=spoken)
 
 
 COMMANDS = (Command("diff", "Compare the pose with another one", _diff, "[SLOT|FILE]"),)

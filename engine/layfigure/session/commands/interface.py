@@ -29,8 +29,20 @@ _HIDDEN = {
 }
 
 
+def shown_commands(session: Session) -> dict[str, Command]:
+    """Return the commands that a person may want to type, by name; what only keys and clicks run is left out."""
+    return {name: command for name, command in session.commands().items() if name not in _HIDDEN}
+
+
 def _help(session: Session, words: tuple[str, ...]) -> None:
-    no_more(words, 0)
+    no_more(words, 1)
+    if words:
+        name = one_of(words, 0, "command", session.commands())
+        command = session.commands()[name]
+        key = session.key_for(name)
+        said = f"{name} {command.usage}".strip()
+        session.say(f"{said}: {command.title}.{f' Its key is {key}.' if key else ''}")
+        return
     titles = {name: command.title for name, command in session.commands().items()}
     session.modes.append(HelpMode(help_page(session.key_table(), session.situation, titles)))
 
@@ -39,10 +51,9 @@ def _palette(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     table, situation = session.key_table(), replace(session.situation, state="pose")
     entries = []
-    for name, command in sorted(session.commands().items(), key=lambda item: item[1].title):
+    for name, command in sorted(shown_commands(session).items(), key=lambda item: item[1].title):
         keys = table.keys_for(name, situation)
-        if name not in _HIDDEN:
-            entries.append(Entry(name, command.title, command.usage, spoken(keys[0]) if keys else ""))
+        entries.append(Entry(name, command.title, command.usage, spoken(keys[0]) if keys else ""))
     session.modes.append(PaletteMode(tuple(entries)))
 
 
@@ -73,7 +84,7 @@ def _numbers(session: Session, name: str) -> PaletteMode:
         prompt = f"Place of the end of the {spoken_limb(figure, limb)}, x y z:"
     text = " ".join(f"{value:.2f}".rstrip("0").rstrip(".") for value in values)
     prefix = join_line(name, [figure.names[limb]])
-    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True)
+    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True, offered=True)
 
 
 def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
@@ -157,7 +168,7 @@ def _plugin(session: Session, words: tuple[str, ...]) -> None:
 
 
 COMMANDS = (
-    Command("help", "Show the keys", _help),
+    Command("help", "Show the keys, or say what a command does", _help, "[COMMAND]"),
     Command("palette", "Type a command", _palette),
     Command("figures", "Choose another figure", _figures),
     Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal|store|recall"),
