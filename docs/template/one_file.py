@@ -10,7 +10,7 @@ from layfigure.poses.pose import Pose
 from layfigure.techniques import contract as it
 from layfigure.techniques.control_values import checked_value
 
-CONTROLS = (it.Action("gust", "Another gust", ("m",)), it.Slider("wind", "Wind", 0, 60, 5, ("-", "+"), "°"))
+CONTROLS = (it.Action("gust", "Gust", ("m",)), it.Slider("wind", "Wind", 0, 60, 5, ("-", "+"), "°"))
 
 
 class Sway:
@@ -21,7 +21,7 @@ class Sway:
         return {"version": 1, "pose": setting.pose, "free": setting.enabled, "wind": 20.0, "gust": 0}
 
     def ask(self, state):
-        nine, arrow = tuple(self.swayed(state, n) for n in range(9)), ((0.0, 0.0, 0.0), (state["wind"], 0.0, 0.0))
+        nine, arrow = tuple(self.swayed(state, n) for n in range(9)), ((0.0, 0.0, 0.0), (3 * state["wind"], 0.0, 0.0))
         return it.Offer(nine, "Sway", values={"wind": state["wind"]}, marks=lambda: [Mark("guide", arrow)])
 
     def tell(self, state, event):

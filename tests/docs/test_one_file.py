@@ -45,7 +45,7 @@ def test_it_has_a_key_a_slider_and_marks_of_its_own(player):
     assert bound.resolve("m", player.session.situation) == "gust"
     assert any(getattr(widget, "command", "") == "wind" for widget in player.frame().widgets)
     player.run("wind 30")
-    assert list(player.session.offer().marks()) == [Mark("guide", ((0.0, 0.0, 0.0), (30.0, 0.0, 0.0)))]
+    assert list(player.session.offer().marks()) == [Mark("guide", ((0.0, 0.0, 0.0), (90.0, 0.0, 0.0)))]
 
 
 def test_it_is_swapped_in_without_a_change_of_the_pose_and_without_a_line_in_the_log(player):

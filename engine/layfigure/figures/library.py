@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from layfigure import resources
-from layfigure.errors import LayfigureError, SourceError
+from layfigure.errors import FileError, LayfigureError, SourceError
 from layfigure.figures.build import DefinitionError, build_figure
 from layfigure.figures.fig_language import parse_with_places
 from layfigure.figures.figure import Figure
@@ -39,7 +39,10 @@ def load_figure(reference: str | Path, folder: Path | None = None) -> Figure:
         SourceError: the file has a mistake.
     """
     if isinstance(reference, Path) or is_path(reference):
-        path = (folder or Path()) / Path(reference).expanduser()
+        try:
+            path = (folder or Path()) / Path(reference).expanduser()
+        except RuntimeError:
+            raise FileError(f"{str(reference)[:80]}: there is no such home folder; write the whole path") from None
         return dataclasses.replace(_load(path), path=path.absolute())
     for path in resources.model_files():
         if path.stem.casefold() == reference.casefold():

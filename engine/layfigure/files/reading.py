@@ -29,6 +29,8 @@ def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
         raise FileError(f"{path}: there is no such file; check the name") from None
     except OSError as error:
         raise FileError(f"{path}: cannot be read ({error.strerror or error})") from None
+    except ValueError:
+        raise FileError(f"{str(path)!a}: no file can have that name; check it") from None
     if len(raw) > maximum_bytes:
         raise FileError(f"{path}:1:1: is larger than {maximum_bytes // 1024} KiB, which no such file needs to be")
     return decode(raw, path)

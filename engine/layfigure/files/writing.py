@@ -27,12 +27,14 @@ def write_with(path: Path, write: Callable[[IO[bytes]], object]) -> None:
     Raises:
         FileError: as for :func:`write_text`.
     """
-    if path.is_dir():
-        raise FileError(f"{path}: is a folder; name a file inside it")
     try:
+        if path.is_dir():
+            raise FileError(f"{path}: is a folder; name a file inside it")
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     except OSError as error:
         raise FileError(f"{path}: cannot be written ({error.strerror or error})") from None
+    except ValueError:
+        raise FileError(f"{str(path)!a}: no file can have that name; choose another") from None
     try:
         with os.fdopen(handle, "wb") as stream:
             write(stream)

@@ -53,12 +53,17 @@ _LOCKED = {
 }
 
 
+_MOST_SPOKEN = 2
+
+
 def describe_locks(document: Document) -> tuple[str, ...]:
-    """Return a line that says what is locked, or nothing."""
+    """Return a line that says what is locked, or nothing; of many locks it names the limbs only, so that all fit."""
     if not document.locks:
         return ()
-    words = [f"{spoken_limb(document.figure, lock.limb)} {_LOCKED[kind_of(lock)]}" for lock in document.locks]
-    return (f"Locked: {', '.join(words)}",)
+    named = [(spoken_limb(document.figure, lock.limb), _LOCKED[kind_of(lock)]) for lock in document.locks]
+    if len(named) > _MOST_SPOKEN:
+        return (f"{len(named)} locks: {', '.join(dict.fromkeys(limb for limb, _ in named))}",)
+    return (f"Locked: {', '.join(' '.join(words) for words in named)}",)
 
 
 def listed_limbs(figure: Figure, limbs: Sequence[int]) -> str:
@@ -68,7 +73,16 @@ def listed_limbs(figure: Figure, limbs: Sequence[int]) -> str:
 
 
 def freedom(limb: Limb) -> str:
-    """Return in words how a limb can move, what its colour says in pictures."""
+    """Return in words how a limb can move, what its colour says in pictures; the root always carries the figure."""
+    if limb.parent < 0:
+        return "turns and carries the figure"
     bits = sum(1 << i for i, kind in enumerate(DOF_KINDS) if limb.dof(kind))
     kinds = [kind for kind in DOF_KINDS if limb.dof(kind)]
     return _FREEDOM.get(bits, " and ".join(kinds) + (" only" if len(kinds) == 1 else ""))
+
+
+def allowed_angles(limb: Limb) -> str:
+    """Return in words between which angles each degree of freedom of a limb lies, or nothing for one without."""
+    dofs = [dof for kind in DOF_KINDS if (dof := limb.dof(kind))]
+    spoken = ", ".join(f"{dof.kind} {dof.low:g} to {dof.high:g}" for dof in dofs)
+    return f"Degrees; the joint allows {spoken}." if spoken else ""

@@ -161,22 +161,6 @@ def told_first(bindings: Iterable[Binding], reports: Callable[[str], bool] | Non
         yield replace(binding, keys=keys)
 
 
-def hints(table: KeyTable, now: Situation) -> tuple[tuple[str, str], ...]:
-    """Return the few keys worth showing in a situation with a word each; what a technique's keys hide is left out."""
-    valid = list(table.valid(now))
-    taken = {key for binding in valid if binding.technique for key in binding.keys}
-    shown = [each for each in valid if each.hint and (each.technique or each.keys[0] not in taken)]
-    return tuple(
-        (
-            f"{spoken(binding.keys[0])}–{spoken(binding.keys[-1])}"
-            if "{key}" in binding.command
-            else spoken(binding.keys[0]),
-            binding.hint,
-        )
-        for binding in shown
-    )
-
-
 def spoken(key: str) -> str:
     """Return a key's name as help pages print it: ``ctrl+shift+z`` becomes ``Ctrl-Shift-Z``."""
     if key in _NAMES:
@@ -211,3 +195,16 @@ _NAMES = {
     "+": "+",
     **{f"kp{digit}": f"Num {digit}" for digit in range(10)},
 }
+
+
+def hints(table: KeyTable, now: Situation) -> tuple[tuple[str, str], ...]:
+    """Return (keys, word) of the bindings with a hint; what a technique's own keys hide is left out."""
+    valid = list(table.valid(now))
+    taken = {key for binding in valid if binding.technique for key in binding.keys}
+    shown = [each for each in valid if each.hint and (each.technique or each.keys[0] not in taken)]
+    return tuple((_span(binding), binding.hint) for binding in shown)
+
+
+def _span(binding: Binding) -> str:
+    first, last = spoken(binding.keys[0]), spoken(binding.keys[-1])
+    return f"{first}–{last}" if "{key}" in binding.command else first

@@ -148,15 +148,17 @@ class HelpMode(Plain):
 
 def help_page(table: KeyTable, situation: Situation, titles: dict[str, str]) -> HelpOverlay:
     """Return the help of everything that works in a situation; ``titles`` names commands without a title of theirs."""
-    groups: dict[str, list[tuple[str, str]]] = {}
+    groups: dict[str, dict[tuple[str, str], tuple[str, ...]]] = {}
     for binding in table.valid(situation):
         example = binding.line(binding.keys[0]) if binding.keys else binding.command
         mine = [key for key in binding.keys if table.resolve(key, situation) == binding.line(key)]
         if mine:
-            title = binding.title or titles.get(example.split()[0], example)
-            groups.setdefault(binding.group, []).append((spoken_keys(tuple(mine)), title))
+            row = (binding.title or titles.get(example.split()[0], example), binding.command)
+            group = groups.setdefault(binding.group, {})
+            group[row] = (*group.get(row, ()), *mine)
     order = sorted(groups, key=lambda group: (group == "Everywhere", 0))
-    return HelpOverlay("Keys that work now", tuple((group, tuple(groups[group])) for group in order))
+    sections = ((group, tuple((spoken_keys(keys), row[0]) for row, keys in groups[group].items())) for group in order)
+    return HelpOverlay("Keys that work now", tuple(sections))
 
 
 @dataclass(frozen=True)
@@ -164,7 +166,8 @@ class PaletteMode(Plain):
     """A line to type a command into, with the commands that match.
 
     With a ``prefix`` what is typed is the word that follows it; ``verbatim`` takes it as several words. A text that is
-    ``offered`` stands there to be accepted or edited; typing at once replaces it.
+    ``offered`` stands there to be accepted or edited; typing at once replaces it. ``hint`` says what to type where no
+    row can.
     """
 
     entries: tuple[Entry, ...]
@@ -175,6 +178,7 @@ class PaletteMode(Plain):
     message: str = ""
     verbatim: bool = False
     offered: bool = False
+    hint: str = ""
 
     @property
     def state(self) -> str:
@@ -232,7 +236,7 @@ class PaletteMode(Plain):
     def overlay(self) -> PaletteOverlay:
         """Return the palette."""
         rows = tuple((" ".join((e.command, e.usage)).strip(), e.title, e.key) for e in self.rows)
-        return PaletteOverlay(self.prompt, self.text, rows, self.chosen, self.message)
+        return PaletteOverlay(self.prompt, self.text, rows, self.chosen, self.message or ("" if rows else self.hint))
 
 
 @dataclass(frozen=True)

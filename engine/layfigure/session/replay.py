@@ -34,10 +34,11 @@ def open_log(host: Host, log: SessionLog, options: SessionOptions) -> Session:
 
 
 def play(session: Session, log: SessionLog) -> None:
-    """Run the commands of a log.
+    """Run the commands of a log. Logs come from strangers, so only what a session would log is run.
 
     Raises:
-        SourceError: a command is unknown, wrong or impossible where it stands; the session stands before it.
+        SourceError: a command is unknown, wrong, impossible where it stands or none that is logged; the session stands
+            before it.
     """
     solvers = session.workshop.solvers
     waited, solvers.waits = solvers.waits, True
@@ -50,6 +51,7 @@ def play(session: Session, log: SessionLog) -> None:
 def _play(session: Session, log: SessionLog) -> None:
     for entry in log.commands:
         try:
+            _check_logged(session, entry.command.name)
             session.execute(entry.text)
         except WordError as error:
             columns = entry.command.columns
@@ -60,6 +62,13 @@ def _play(session: Session, log: SessionLog) -> None:
             raise
         except LayfigureError as error:
             raise SourceError(log.source, entry.line, entry.command.columns[0], str(error)) from None
+
+
+def _check_logged(session: Session, name: str) -> None:
+    """Refuse a command that writes files, runs code or steers the interface: no session puts it into its log."""
+    command = session.commands().get(name)
+    if command is not None and not command.logged:
+        raise WordError(0, f'"{name}" does not belong in a log, which holds only what changes the document; remove it')
 
 
 def _beside(log: SessionLog, figure: str) -> str:

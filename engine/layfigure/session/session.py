@@ -27,7 +27,8 @@ from layfigure.session.events import Event
 from layfigure.session.figures import reference_to
 from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
-from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, hints, spoken, told_first
+from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken, told_first
+from layfigure.session.keymap import hints as hints_of
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.routing import route
@@ -83,6 +84,7 @@ class Session:
         self._before_preview: Document | None = None
         self._key_table: tuple[tuple[Technique, ...], KeyTable] | None = None
         self._faults_seen = 0
+        self._left = False  # whether a technique fell out, and the log does not say yet which one took over
         self.log: list[str] = []
         self.begin(document)
         host.notify("layfigure_session_started", session=self)
@@ -118,6 +120,7 @@ class Session:
         self.document = self._opened(document)
         self.history = History()
         self.view = replace(self.view, selected=(), hover=None, candidate=0)
+        self._left = False
         self.log = header(quoted(reference_to(document.figure)), self.document.technique or "none")
 
     def kernels_ready(self) -> None:
@@ -161,6 +164,7 @@ class Session:
             hint = did_you_mean(line.name, self.commands())
             raise WordError(0, f'there is no command "{line.name[:40]}"{hint}')
         self.give_up_preview()
+        self._log_leaving()
         self.status = ""
         if self.host.commands.get(command.id) is command:
             words = self.host.call(command, "running", command.run, self, line.words)
@@ -168,6 +172,7 @@ class Session:
             words = command.run(self, line.words)
         if command.logged:
             self._log(join_line(line.name, line.words if words is None else words))
+        self._log_leaving()
         self._report_faults()
 
     def commands(self) -> dict[str, Command]:
@@ -182,6 +187,8 @@ class Session:
 
     def offer(self) -> Offer:
         """Return what the technique in use shows; a technique that fails is left for another one."""
+        if self.document.technique not in self.host.techniques:
+            self.document = self._in_service(self.document)
         try:
             return self.workshop.offer(self.document)
         except PluginError as error:
@@ -250,7 +257,7 @@ class Session:
     def give_up_preview(self) -> None:
         """Go back to the document from before a preview."""
         if self._before_preview is not None:
-            self.document, self._before_preview = self._before_preview, None
+            self.document, self._before_preview = self._in_service(self._before_preview), None
 
     def use(self, technique: str) -> None:
         """Switch to another technique; the pose stays exactly as it is."""
@@ -325,7 +332,7 @@ class Session:
 
     def hints(self) -> tuple[tuple[str, str], ...]:
         """Return the few keys worth showing in the status line now; what a technique's own keys hide is left out."""
-        return hints(self.key_table(), self.situation)
+        return hints_of(self.key_table(), self.situation)
 
     def describe_selection(self) -> tuple[str, ...]:
         """Return lines that say what is selected and how it stands."""
@@ -336,7 +343,7 @@ class Session:
     def _opened(self, document: Document, preferred: str = "") -> Document:
         if document.technique:
             return document
-        for technique in dict.fromkeys([preferred or self.options.technique, *self.host.techniques]):
+        for technique in dict.fromkeys([preferred, self.options.technique, *self.host.techniques]):
             if technique in self.host.techniques:
                 try:
                     return self.workshop.use(document, technique)
@@ -349,12 +356,12 @@ class Session:
         states = {name: state for name, state in document.states.items() if name in self.host.techniques}
         if document.technique in states:
             return document if len(states) == len(document.states) else replace(document, states=states)
+        self._left = True
         return self._opened(replace(document, technique="", states=states), document.technique)
 
     def _leave_technique(self, reason: str) -> None:
         """Go on without a technique that failed: the pose stays, another technique takes over."""
-        states = {k: v for k, v in self.document.states.items() if k in self.host.techniques}
-        self.document = self._opened(replace(self.document, technique="", states=states))
+        self.document = self._in_service(self.document)
         self.say(reason)
 
     def render(self, render_list: RenderList, target: Target, look: Look | None = None) -> None:
@@ -386,6 +393,11 @@ class Session:
 
     def _still_there(self, selected: tuple[int, ...]) -> tuple[int, ...]:
         return tuple(limb for limb in selected if limb < len(self.document.figure.limbs))
+
+    def _log_leaving(self) -> None:
+        if self._left and self.document.technique:
+            self._log(join_line("use", [self.document.technique]))
+        self._left = False
 
     def _log(self, line: str) -> None:
         self.log.append(line)

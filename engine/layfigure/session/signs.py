@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import compress, islice, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from layfigure.drawing.geometry import to_pixels
 from layfigure.drawing.marks import ROLES, Mark
 from layfigure.drawing.shots import Shot, shot_rows
 from layfigure.errors import PluginError
+from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import place_pose
+from layfigure.plugins.records import Overlay, OverlayLine
 from layfigure.poses.locks import Band, Hold, JointLock, Pin, PinOrientation, tips_of
+from layfigure.poses.pose import Pose
 from layfigure.session.document import Document
 from layfigure.session.frame import Pane, Sign, WorldLine
 from layfigure.techniques.contract import Offer
@@ -23,22 +27,33 @@ if TYPE_CHECKING:
 
 MOST = 4000  # marks of one kind; a plug-in that gives more is cut, not waited for
 
+FARTHEST = 1e5  # pixels; no window is so large, and what is not a number is not nearer
+
 
 def overlay_lines(session: Session, panes: Sequence[Pane], shots: Sequence[Shot]) -> Iterator[WorldLine]:
     """Yield the lines of the plug-ins' overlays that are on, over every given pane."""
     figure, pose = session.document.figure, session.document.pose
     for key in sorted(session.view.overlays & set(session.host.overlays)):
-        record = session.host.overlays[key]
+        record = session.host.overlays.get(key)
+        if record is None:  # its plug-in fell out over the overlay before
+            continue
         try:
-            lines = session.host.call(record, "drawing", lambda record=record: list(record.lines(figure, pose)))
+            lines, ends = session.host.call(record, "drawing", _listed, record, figure, pose)
         except PluginError as error:
             session.say(str(error))
             continue
         for pane in panes:
-            ends = np.array([(line.begin, line.end) for line in lines], dtype=np.float64).reshape(-1, 2, 3)
             pixels = to_pixels(figure, shot_rows([shots[pane.shot]], [pose]), ends)
-            for ((x1, y1, _), (x2, y2, _)), line in zip(pixels.tolist(), lines, strict=True):
+            sane = np.all(np.abs(pixels) < FARTHEST, axis=(1, 2)).tolist()
+            shown = compress(zip(pixels.tolist(), lines, strict=True), sane)
+            for ((x1, y1, _), (x2, y2, _)), line in shown:
                 yield WorldLine(x1, y1, x2, y2, pane.rectangle, rgb=line.rgb)
+
+
+def _listed(record: Overlay, figure: Figure, pose: Pose) -> tuple[list[OverlayLine], NDArray[np.float64]]:
+    """Return an overlay's lines and their ends (k, 2, 3); a wrong form is the plug-in's fault."""
+    lines = list(islice(record.lines(figure, pose), MOST))
+    return lines, np.array([(line.begin, line.end) for line in lines], dtype=np.float64).reshape(-1, 2, 3)
 
 
 def technique_marks(session: Session, offer: Offer, *, cones: bool) -> tuple[Mark, ...]:
@@ -47,11 +62,21 @@ def technique_marks(session: Session, offer: Offer, *, cones: bool) -> tuple[Mar
     if record is None:
         return ()
     try:
-        marks = session.host.call(record, "drawing", lambda: list(offer.cones() if cones else offer.marks()))
+        given = session.host.call(
+            record, "drawing", lambda: list(islice(offer.cones() if cones else offer.marks(), MOST))
+        )
     except PluginError as error:
         session.say(str(error))
         return ()
-    return tuple(mark for mark in marks[:MOST] if isinstance(mark, Mark) and mark.role in ROLES)
+    return tuple(mark for mark in given if isinstance(mark, Mark) and mark.role in ROLES and _has_points(mark))
+
+
+def _has_points(mark: Mark) -> bool:
+    """Whether a stranger's mark is a path of points at all, whatever its numbers."""
+    try:
+        return np.array(mark.points, dtype=np.float64).shape == (len(mark.points), 3)
+    except (TypeError, ValueError):
+        return False
 
 
 def lock_marks(document: Document) -> Iterator[Mark]:
@@ -91,7 +116,7 @@ def drawn(
     for pane in panes:
         row = shot_rows([shots[pane.shot]], [session.document.pose] * (shots[pane.shot].pose + 1))
         pixels = to_pixels(session.document.figure, row, points)
-        sane = np.all(np.abs(pixels) < 1e5, axis=1).tolist()  # false for what is not a number, too
+        sane = np.all(np.abs(pixels) < FARTHEST, axis=1).tolist()  # false for what is not a number, too
         first = 0
         for mark in listed:
             path = pixels[first : first + len(mark.points)]

@@ -8,14 +8,13 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Technique
 from layfigure.poses.locks import Lock, anew
 from layfigure.poses.pose import Pose
+from layfigure.session.answers import is_committed, is_pose_of, misfit
 from layfigure.session.bench import FigureBench, Option, Solvers
 from layfigure.session.document import Document
 from layfigure.session.lock_keeping import changed_limbs, within_locks
@@ -162,7 +161,13 @@ class Workshop:
         if self._offer is not None and self._offer[0] == technique and self._offer[1] is state:
             return self._offer[2]
         worker, record = self._object(document.figure, technique), self.record(technique)
-        offer = self.host.call(record, "asking", worker.ask, state)
+        try:
+            offer = self.host.call(record, "asking", worker.ask, state)
+        except ImpossibleError as error:  # such as a solver that has been set aside
+            offer = Offer(note=str(error))
+        wrong = misfit(offer)
+        if wrong:
+            raise self.host.refuse(record, "asking", wrong)
         for pose in offer.candidates:
             self._check(document.figure, record, pose)
         self._offer = (technique, state, offer)
@@ -190,14 +195,16 @@ class Workshop:
     def _recommended(self, document: Document, technique: str, state: Any) -> Pose:
         worker, record = self._object(document.figure, technique), self.record(technique)
         pose = self.host.call(record, "recommending", worker.recommend, state)
-        self._check(document.figure, record, pose)
+        self._check(document.figure, record, pose, committed=True)
         return pose
 
-    def _check(self, figure: Figure, record: Technique, pose: object) -> None:
-        shape = (len(figure.limbs), 3)
-        if not isinstance(pose, Pose) or pose.angles.shape != shape or not np.isfinite(pose.angles).all():
-            sentence = f"it gave something else than a finite pose of {shape[0]} limbs"
-            raise self.host.refuse(record, "checking a pose", sentence)
+    def _check(self, figure: Figure, record: Technique, pose: object, *, committed: bool = False) -> None:
+        sentence = f"it gave something else than a finite pose of {len(figure.limbs)} limbs"
+        if is_pose_of(pose, figure):
+            if not committed or is_committed(pose):
+                return
+            sentence = "it stands at a pose with angles that no file can hold; make poses by Pose.of"
+        raise self.host.refuse(record, "checking a pose", sentence)
 
     def _object(self, figure: Figure, technique: str) -> TechniqueObject[Any]:
         key = (technique, id(figure))

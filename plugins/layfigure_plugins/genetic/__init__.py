@@ -17,7 +17,7 @@ _CROSSOVERS = (
 )
 
 _CONTROLS = (
-    Action("evolve", "Next generation", keys=("m",)),
+    Action("evolve", "Breed", keys=("m",)),
     Shortcut(tuple("0123456789"), "grade {key}", "Grade the candidate and go to the next", hint="grade"),
     Shortcut(("+",), "grade 10", "Grade the candidate 10", hint="10"),
     Shortcut(("n", "pagedown"), "choose next", "Choose the next candidate"),

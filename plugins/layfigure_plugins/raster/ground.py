@@ -37,14 +37,17 @@ def set_stage(render_list: RenderList, look: Look) -> Stage:
     floor = look.grid or look.shadow
     gradients = np.empty((views, 2, 3), dtype=np.float32)
     gradients[:, 0], gradients[:, 1] = (background * 0.93, background * 1.03) if floor else (background, background)
+    gradients = np.minimum(gradients, 255.0)
     tints = np.empty((views, 2, 3), dtype=np.float32)
     if not floor:
-        return Stage(frames, np.minimum(gradients, 255.0), np.empty((0, 14)), tints, 0.0)
+        return Stage(frames, gradients, np.empty((0, 14)), tints, 0.0)
     light = 255.0 - background
-    tints[:, 0] = 0.075 * light + 0.03 * background
+    headroom = 255.0 - gradients.max(axis=1)  # the kernel adds tints unchecked: beyond 255 they would run into red
+    tints[:, 0] = np.minimum(0.075 * light + 0.03 * background, headroom)
     bright = background.mean(axis=1, keepdims=True) > 127.0
-    tints[:, 1] = np.where(bright, -0.13 * background, 0.12 * light) if look.grid else 0.0
-    return Stage(frames, np.minimum(gradients, 255.0), _planes(render_list), tints, DARKEST if look.shadow else 0.0)
+    lines = np.where(bright, -0.13 * background, 0.12 * light) if look.grid else 0.0
+    tints[:, 1] = np.minimum(lines, headroom - tints[:, 0])
+    return Stage(frames, gradients, _planes(render_list), tints, DARKEST if look.shadow else 0.0)
 
 
 def _planes(render_list: RenderList) -> Floats:

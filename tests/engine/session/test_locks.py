@@ -50,6 +50,28 @@ def test_an_offset_is_kept_from_a_limb_that_is_named_at_a_prompt(session):
     assert isinstance(hold, Hold) and (names[hold.limb], names[hold.other]) == ("righthand", "lefthand")
 
 
+@pytest.mark.parametrize(
+    "line", ["lock place lefthand 1e6 0 0", "lock hold lefthand righthand 5 0 0", "lock orientation lefthand 0 90 0"]
+)
+def test_a_lock_on_where_its_limb_does_not_stand_says_so(session, line):
+    session.run(line)
+    assert session.status.startswith("The left hand is not there yet")
+    session.run("release all")
+    session.run(" ".join(line.split()[: 4 if "hold" in line else 3]))
+    assert "not there yet" not in session.status
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["lock joint all", "lock hold spine all", "lock hold all spine", "hold all", "set all 0 0 0", "goal all 1 1 1"],
+)
+def test_all_is_refused_where_one_limb_is_wanted(session, line):
+    session.execute("select spine")
+    before = session.document
+    session.run(line)
+    assert session.status == "one limb is wanted here, not all of them" and session.document is before
+
+
 def test_undo_brings_locks_back(session):
     before = session.document
     session.execute("lock place leftfoot")

@@ -231,6 +231,14 @@ def test_help_shows_every_key_that_works_now(session):
     assert session.frame(SIZE).overlay is None
 
 
+def test_help_lists_what_has_several_keys_once(session):
+    press(session, "?")
+    titles = [title for _, section in session.frame(SIZE).overlay.sections for _, title in section]
+    assert titles.count("Mirror the pose") == 1
+    rows = {title: keys for _, section in session.frame(SIZE).overlay.sections for keys, title in section}
+    assert rows["Mirror the pose"] == "X  Ctrl-M"
+
+
 def test_the_log_replays_to_the_same_document(session, host):
     press(
         session,

@@ -116,3 +116,16 @@ def test_numbers_that_are_none_never_hang_or_draw_outside(raster, poison):
 def test_a_huge_zoom_is_drawn_in_time(raster):
     pixels = drawn(raster, scene("humanoid", 0, Camera(zoom=60.0)), RECOMMENDED)
     assert (pixels[BOX.y : BOX.y + BOX.height, BOX.x : BOX.x + BOX.width] != 0x010203).all()
+
+
+@pytest.mark.parametrize("view", ["front", "top"])
+@pytest.mark.parametrize(
+    "background", [(0, 0, 0), (20, 22, 26), (120, 120, 120), (245, 247, 250), (255, 255, 255), (250, 40, 0)]
+)
+def test_the_floor_keeps_near_any_background_and_never_overflows_a_colour(raster, background, view):
+    listed = without_figure(scene("humanoid", 0, fixed_view(view)))
+    listed = replace(listed, backgrounds=np.full_like(listed.backgrounds, background))
+    left, top, width, height = BOX
+    floor = drawn(raster, listed, replace(RECOMMENDED, shadow=False))[top : top + height, left : left + width]
+    channels = np.stack([floor >> 16 & 255, floor >> 8 & 255, floor & 255], axis=-1).astype(int)
+    assert np.abs(channels - background).max() < 64

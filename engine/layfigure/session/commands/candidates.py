@@ -52,6 +52,17 @@ def limbs(session: Session, words: tuple[str, ...], first: int) -> tuple[int, ..
     return tuple(dict.fromkeys(found))
 
 
+def one_limb(session: Session, words: tuple[str, ...], index: int) -> int:
+    """Return the limb that word ``index`` names.
+
+    Raises:
+        WordError: it is missing, unknown, or "all".
+    """
+    if required(words, index, "a limb's name") == "all":
+        raise WordError(index + 1, "one limb is wanted here, not all of them")
+    return limbs(session, words[: index + 1], index)[0]
+
+
 def _pick(session: Session, words: tuple[str, ...]) -> None:
     number_, chosen = candidate(session, words), limbs(session, words, 1)
     session.tell(_title(session, chosen, number_), LimbPick(number_, chosen))

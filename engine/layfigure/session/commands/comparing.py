@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.poses.difference import Difference, difference
 from layfigure.poses.pose import Pose
-from layfigure.session.commands.files import figure_and_pose
+from layfigure.session.commands.files import figure_and_pose, named_file
 from layfigure.session.commands.slots import pose_in, slot_number
 from layfigure.session.describing import spoken_limb
 from layfigure.session.figures import reference_to
@@ -41,7 +40,7 @@ def _other(session: Session, words: tuple[str, ...]) -> tuple[str, Pose]:
     if words[0].isdecimal():
         slot = slot_number(words)
         return f"slot {slot}", pose_in(session, slot)
-    path = session.options.folder / Path(words[0]).expanduser()
+    path = named_file(session, words[0])
     figure, pose = figure_and_pose(session.host, path)
     if reference_to(figure) != reference_to(session.document.figure):
         raise ImpossibleError(f"{path.name} is a pose of {figure.name}, not of {session.document.figure.name}")

@@ -48,7 +48,7 @@ def _breathe(session: Session, words: tuple[str, ...]) -> None:
     count = whole_number(words, 1, "a number of variants", (1, MAXIMUM_POSES - 1)) if len(words) > 1 else VARIANTS
     intensity = number(words, 2, "an intensity from 0 to 100") if len(words) > 2 else BREATH
     no_more(words, 3)
-    path = (session.options.folder / Path(name).expanduser()).with_suffix(".poses")
+    path = named_file(session, name).with_suffix(".poses")
     poses = breathing(session, count, intensity)
     save_poses(path, session.document.figure, poses)
     session.say(f"Saved {_shown(path)}: the pose and {len(poses) - 1} variants.")
@@ -68,9 +68,24 @@ def breathing(session: Session, count: int, intensity: float) -> tuple[Pose, ...
     return (session.document.pose, *found)
 
 
+def named_file(session: Session, name: str) -> Path:
+    """Return the file that a person names, beside the session's others; ``~`` stands for a home folder.
+
+    Raises:
+        FileError: that cannot be the name of a file.
+    """
+    try:
+        path = Path(name).expanduser()
+    except RuntimeError:
+        raise FileError(f"{name[:60]}: there is no such home folder; write the whole path") from None
+    if path.name in ("", ".."):
+        raise FileError(f'"{name[:60]}" is a folder; name a file inside it')
+    return session.options.folder / path
+
+
 def _save_path(session: Session, name: str) -> Path:
     if name:
-        return session.options.folder / Path(name).expanduser()
+        return named_file(session, name)
     if session.saved_as is not None:
         return session.saved_as
     return free_path(session.options.folder, session.document.figure.name)
@@ -91,7 +106,7 @@ def free_path(folder: Path, figure: str) -> Path:
 
 
 def _open(session: Session, words: tuple[str, ...]) -> None:
-    path = session.options.folder / Path(required(words, 0, "a file's name")).expanduser()
+    path = named_file(session, required(words, 0, "a file's name"))
     no_more(words, 1)
     if path.suffix == ".fig":
         session.execute(join_line("figure", [str(path)]))
@@ -124,7 +139,7 @@ def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
 def _picture(session: Session, words: tuple[str, ...]) -> None:
     name = required(words, 0, "a picture's name")
     no_more(words, 1)
-    path = session.options.folder / Path(name).expanduser()
+    path = named_file(session, name)
     path = path if path.suffix else path.with_suffix(".png")
     save_sheet(session, session.document.pose, path)
     session.say(f"Saved {_shown(path)}.")
@@ -133,7 +148,7 @@ def _picture(session: Session, words: tuple[str, ...]) -> None:
 def _save_log(session: Session, words: tuple[str, ...]) -> None:
     name = required(words, 0, "a log's name")
     no_more(words, 1)
-    path = (session.options.folder / Path(name).expanduser()).with_suffix(".log")
+    path = named_file(session, name).with_suffix(".log")
     write_text(path, "\n".join(session.log) + "\n")
     session.say(f"Saved {_shown(path)}; layfigure replay plays it again.")
 
@@ -141,7 +156,7 @@ def _save_log(session: Session, words: tuple[str, ...]) -> None:
 def _screenshot(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 1)
     name = words[0] if words else ""
-    path = session.options.folder / (Path(name).expanduser() if name else free_path(session.options.folder, "window"))
+    path = named_file(session, name) if name else free_path(session.options.folder, "window")
     session.screenshot_request = path.with_suffix(".png")
     session.say(f"Saved {_shown(path.with_suffix('.png'))}.")
 

@@ -12,7 +12,7 @@ from layfigure.plugins.records import Command
 from layfigure.poses.lock_words import plain
 from layfigure.poses.locks import rounded, tips_of
 from layfigure.poses.packing import unpack_pose
-from layfigure.session.commands.candidates import limbs
+from layfigure.session.commands.candidates import one_limb
 from layfigure.session.describing import spoken_limb
 from layfigure.session.lock_keeping import changed_limbs
 from layfigure.session.words import WordError, join_line, no_more, number, required, whole_number
@@ -25,7 +25,7 @@ FARTHEST = 1e6  # figure units
 
 
 def _goal(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
-    (limb,) = limbs(session, words[:1], 0)
+    limb = one_limb(session, words, 0)
     position = _position(words)
     no_more(words, 4)
     _check_takes_goals(session)
@@ -44,7 +44,7 @@ def _position(words: tuple[str, ...]) -> tuple[float, float, float]:
 
 
 def _follow(session: Session, words: tuple[str, ...]) -> None:
-    (limb,) = limbs(session, words[:1], 0)
+    limb = one_limb(session, words, 0)
     panes = session.stage.picture.frame.panes
     pane = panes[whole_number(words, 1, "a view", (0, len(panes) - 1))]
     x, y, depth = (number(words, index, "a pixel coordinate") for index in (2, 3, 4))
@@ -56,7 +56,7 @@ def _follow(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _dragged(session: Session, words: tuple[str, ...]) -> None:
-    (limb,) = limbs(session, words[:1], 0)
+    limb = one_limb(session, words, 0)
     token = required(words, 1, "a packed pose")
     no_more(words, 2)
     try:

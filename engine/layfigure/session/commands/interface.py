@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
@@ -13,8 +12,9 @@ from layfigure.kinematics.forward import place_pose
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
+from layfigure.session.commands.files import named_file
 from layfigure.session.commands.slots import ask_recall, ask_store
-from layfigure.session.describing import spoken_limb
+from layfigure.session.describing import allowed_angles, spoken_limb
 from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
@@ -26,6 +26,11 @@ if TYPE_CHECKING:
 _HIDDEN = {
     *("accept", "complete", "row", "erase", "scroll", "ask", "palette"),
     *("pick-in", "enable-in", "select-in", "camera", "follow", "dragged", "joints"),
+}
+
+_HINTS = {
+    "save": "A name; it becomes NAME.pose and NAME.png in this folder.",
+    "open": "No such pose in this folder; any path will do.",
 }
 
 
@@ -67,7 +72,7 @@ def _ask(session: Session, words: tuple[str, ...]) -> None:
         session.modes.append(ask_store(session) if name == "store" else ask_recall(session))
         return
     entries, prompt = _choices(session, name)
-    session.modes.append(PaletteMode(entries, prompt=prompt, prefix=name))
+    session.modes.append(PaletteMode(entries, prompt=prompt, prefix=name, hint=_HINTS.get(name, "")))
 
 
 def _numbers(session: Session, name: str) -> PaletteMode:
@@ -79,12 +84,14 @@ def _numbers(session: Session, name: str) -> PaletteMode:
         kinds = [kind for kind in DOF_KINDS if not limb or figure.limbs[limb].dof(kind)]
         values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]
         prompt = f"{' '.join(kinds).capitalize()} of the {spoken_limb(figure, limb)}:"
+        hint = allowed_angles(figure.limbs[limb])
     else:
         values = list(tips_of(figure, place_pose(figure, pose))[limb])
         prompt = f"Place of the end of the {spoken_limb(figure, limb)}, x y z:"
+        hint = "Figure units: x to its left, y up, z to its back."
     text = " ".join(f"{value:.2f}".rstrip("0").rstrip(".") for value in values)
     prefix = join_line(name, [figure.names[limb]])
-    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True, offered=True)
+    return PaletteMode((), text=text, prompt=prompt, prefix=prefix, verbatim=True, offered=True, hint=hint)
 
 
 def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
@@ -160,7 +167,7 @@ def _figures(session: Session, words: tuple[str, ...]) -> None:
 
 def _plugin(session: Session, words: tuple[str, ...]) -> None:
     """Not logged: a log that runs a stranger's code from a path would be a trap."""
-    path = session.options.folder / Path(required(words, 0, "a plug-in file")).expanduser()
+    path = named_file(session, required(words, 0, "a plug-in file"))
     no_more(words, 1)
     session.swap_plugin(plugin_file(path))
     brought = ", ".join(record.id for record in session.host.records_of(path.stem)) or "nothing"

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.poses.lock_words import lock_words, plain, read_lock
-from layfigure.poses.locks import KINDS, Lock, kind_of, lock_at, with_lock
-from layfigure.session.commands.candidates import limbs
+from layfigure.poses.locks import KINDS, Lock, broken, kind_of, lock_at, with_lock
+from layfigure.session.commands.candidates import limbs, one_limb
 from layfigure.session.describing import spoken_limb
 from layfigure.session.words import WordError, join_line, no_more, number, one_of, required
 
@@ -26,11 +26,11 @@ _SAID = {
 
 def _lock(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     kind = one_of(words, 0, "kind of lock", KINDS)
-    (limb,) = limbs(session, words[1:2], 0)
+    limb = one_limb(session, words, 1)
     at = 2
     other = 0
     if kind == "hold":
-        (other,) = limbs(session, words[2:3], 0)
+        other = one_limb(session, words, 2)
         at = 3
         if other == limb:
             raise WordError(3, "a limb cannot keep its offset from itself; name another one")
@@ -43,7 +43,9 @@ def _lock(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
         no_more(words, at)
         lock = lock_at(figure, session.document.pose, kind, limb, other)
     _set_locks(session, f"lock {figure.names[limb]}", with_lock(session.document.locks, lock))
-    session.say(f"The {spoken_limb(figure, limb)} {_SAID[kind]}.")
+    met = not broken(figure, session.document.pose, (lock,))
+    said = _SAID[kind] if met else "is not there yet; the next change brings it there, or is refused"
+    session.say(f"The {spoken_limb(figure, limb)} {said}.")
     return lock_words(figure, lock)
 
 
@@ -82,7 +84,7 @@ def _hold(session: Session, words: tuple[str, ...]) -> None:
     """Keep the offset of the limbs selected: the last one follows the one before it, or one that is named."""
     names = session.document.figure.names
     chosen = _selected(session)
-    other = limbs(session, words[:1], 0)[0] if words else chosen[-2] if len(chosen) > 1 else -1
+    other = one_limb(session, words, 0) if words else chosen[-2] if len(chosen) > 1 else -1
     no_more(words, 1)
     if other < 0:
         raise ImpossibleError("select two limbs, or name the other one: hold LIMB")

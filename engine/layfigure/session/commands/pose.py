@@ -16,7 +16,7 @@ from layfigure.poses.locks import mirrored
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
-from layfigure.session.commands.candidates import limbs
+from layfigure.session.commands.candidates import one_limb
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 def _set(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     figure = session.document.figure
-    (limb,) = limbs(session, words[:1], 0)
+    limb = one_limb(session, words, 0)
     angles = _angles(session, limb, words)
     if "drag" in session.channels:
         session.tell(f"set {figure.names[limb]}", Drag(limb, angles))
