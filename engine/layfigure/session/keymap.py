@@ -154,11 +154,11 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
                 pass
 
 
-def told_first(bindings: Iterable[Binding], reports: Callable[[str], bool] | None) -> Iterator[Binding]:
-    """Yield bindings with the keys that a front end can report before its others, so that those are the ones shown."""
-    for binding in bindings:
-        keys = binding.keys if reports is None else tuple(sorted(binding.keys, key=lambda key: not reports(key)))
-        yield replace(binding, keys=keys)
+def told_first(bindings: Iterable[Binding], reports: Callable[[str], bool] | None) -> tuple[Binding, ...]:
+    """Return bindings with the keys that a front end can report before its others, so that those are the ones shown."""
+    if reports is None:
+        return tuple(bindings)
+    return tuple(replace(each, keys=tuple(sorted(each.keys, key=lambda key: not reports(key)))) for each in bindings)
 
 
 def spoken(key: str) -> str:

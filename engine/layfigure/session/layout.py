@@ -14,6 +14,9 @@ from layfigure.drawing.render_list import Rectangle
 from layfigure.session.frame import Pane, Size
 from layfigure.session.metrics import PIXELS, Metrics, metrics
 
+Scale = tuple[float, float]  # across and down
+UNIT: Scale = (1.0, 1.0)
+
 
 class Areas(NamedTuple):
     """The four areas of a window in pixels. ``page`` is empty where no candidates are shown."""

@@ -29,6 +29,7 @@ from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
 from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken, told_first
 from layfigure.session.keymap import hints as hints_of
+from layfigure.session.layout import UNIT, Scale
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.routing import route
@@ -103,14 +104,9 @@ class Session:
         """Return what to show on a surface of that size."""
         return self._stage.compose(size).frame
 
-    def draw(
-        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
-    ) -> None:
-        """Draw the views of the frame composed last into a target; falls back where a renderer fails.
-
-        With ``kinds`` so that :func:`layfigure.drawing.joint_kinds.kinds_shown` can tell what every pixel shows;
-        ``enlarged`` across and down, for a target of more pixels than the frame.
-        """
+    def draw(self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: Scale = UNIT) -> None:
+        """Draw the views of the frame composed last into a target, perhaps ``enlarged``; ``kinds`` codes them for
+        :func:`layfigure.drawing.joint_kinds.kinds_shown`."""
         assert self._stage.picture.frame is frame
         listed = self._stage.enlarged(*enlarged)
         self.render(coded_by_kind(listed, self.document.figure) if kinds else listed, target, PLAIN if kinds else None)
@@ -316,13 +312,9 @@ class Session:
         """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""
         in_service = tuple(self.host.techniques.values())
         if self._key_table is None or self._key_table[0] != in_service:
-            bindings: list[Binding] = []
-            for record in self.host.techniques.values():
-                bindings.extend(control_bindings(record.id, record.title, record.controls))
-            self._key_table = (
-                in_service,
-                KeyTable(tuple(told_first((*bindings, *self.options.bindings), self.options.reports))),
-            )
+            own = [b for t in in_service for b in control_bindings(t.id, t.title, t.controls)]
+            told = told_first((*own, *self.options.bindings), self.options.reports)
+            self._key_table = in_service, KeyTable(told)
         return self._key_table[1]
 
     def key_for(self, command: str) -> str:
@@ -371,9 +363,8 @@ class Session:
             try:
                 if identifier not in self._renderers:
                     self._renderers[identifier] = self.host.call(record, "making", record.make)
-                self.host.call(
-                    record, "drawing", self._renderers[identifier].draw, render_list, target, look or self.view.look
-                )
+                draw = self._renderers[identifier].draw
+                self.host.call(record, "drawing", draw, render_list, target, look or self.view.look)
             except PluginError as error:
                 self.say(str(error))
             else:

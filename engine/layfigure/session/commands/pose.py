@@ -57,7 +57,7 @@ def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float,
 
 def _angle(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     """Set one angle of a joint as ``set`` does all three."""
-    (limb,) = limbs(session, words[:1], 0)
+    limb = one_limb(session, words, 0)
     kind = one_of(words, 1, "degree of freedom", DOF_KINDS)
     number(words, 2, f"the {kind} in degrees")
     no_more(words, 3)
