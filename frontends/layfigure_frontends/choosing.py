@@ -1,4 +1,4 @@
-"""Which front end to use here: a window where there is a display, a line prompt at a dumb terminal, else a script."""
+"""Which front end to use here: a window where there is a display, else the terminal, else a script."""
 
 from __future__ import annotations
 
@@ -11,23 +11,30 @@ FRONTENDS = ("auto", "sdl", "terminal", "plain", "headless")
 
 
 def choose_frontend(asked: str) -> str:
-    """Return "sdl", "plain" or "headless" for what was asked.
+    """Return "sdl", "terminal", "plain" or "headless" for what was asked.
 
     Raises:
-        LayfigureError: the terminal front end is asked for by name, which is not part of this version, or a window is
-            asked for where there is no display.
+        LayfigureError: what is asked for cannot be had here: a window without a display, or no terminal.
     """
-    if asked == "terminal":
-        raise LayfigureError("this version has no terminal front end yet; use --plain or --frontend headless")
     if asked == "auto":
-        return "sdl" if has_display() else "plain" if _at_dumb_terminal() else "headless"
+        return "sdl" if has_display() else _without_display()
     if asked == "sdl" and not has_display() and not os.environ.get("SDL_VIDEODRIVER"):
-        raise LayfigureError("there is no display here for a window; set DISPLAY or use --plain or --frontend headless")
+        raise LayfigureError(
+            "there is no display here for a window; set DISPLAY, or use --frontend terminal or --plain"
+        )
+    if asked == "terminal" and not _has_terminal():
+        raise LayfigureError("standard input and output are no terminal; start in one, or use --plain")
     return asked
 
 
-def _at_dumb_terminal() -> bool:
-    return os.environ.get("TERM") == "dumb" and sys.stdin.isatty() and sys.stdout.isatty()
+def _without_display() -> str:
+    if not _has_terminal():
+        return "headless"
+    return "plain" if os.environ.get("TERM") == "dumb" else "terminal"
+
+
+def _has_terminal() -> bool:
+    return all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
 
 
 def has_display() -> bool:

@@ -75,7 +75,7 @@ def session_options(host: Host, configuration: Configuration, frontend: str) -> 
     from layfigure.configuration import load_bindings
     from layfigure.session.session import SessionOptions
 
-    return SessionOptions(
+    options = SessionOptions(
         technique=configuration.technique,
         renderer=configuration.renderer,
         theme=configuration.theme,
@@ -85,6 +85,11 @@ def session_options(host: Host, configuration: Configuration, frontend: str) -> 
         technique_options=configuration.options,
         compiled=frontend == "headless",
     )
+    if frontend == "terminal":
+        from layfigure_frontends.terminal.reportable import reportable
+
+        return replace(options, reports=reportable)
+    return options
 
 
 def open_session(choice: PluginChoice, what: str, frontend: str, keymap: str = "") -> Session:

@@ -19,17 +19,22 @@ if TYPE_CHECKING:
 
 Step = tuple[str, Callable[[], object]]
 PARTS = ("drawing", "posing")
+OWN = "terminal"  # the part of a front end that has machine code of its own
 
 
-def steps(host: Host, part: str = "") -> Iterator[Step]:
+def steps(host: Host, part: str = "", own: Iterable[Step] = ()) -> Iterator[Step]:
     """Yield what makes every kernel ready, or those of one of the :data:`PARTS`, as (title, work), in order.
+
+    ``own`` are a front end's, the part :data:`OWN`.
 
     What fails is set aside with its plug-in. What draws comes first: a window that shows solids may be used while the
     rest still compiles. The engine comes last, because its being loaded says that solvers are, too.
     """
-    if part != "posing":
+    if part in ("", OWN):
+        yield from own
+    if part in ("", "drawing"):
         yield from _warmed(host, host.renderers.values())
-    if part != "drawing":
+    if part in ("", "posing"):
         yield from _warmed(host, host.solvers.values())
         yield "the engine", compiled.load
     if not part:
@@ -54,13 +59,17 @@ def _warm(host: Host, record: Renderer | Solver) -> Callable[[], object]:
 class Warming:
     """Compiles in other processes where the cache is cold, then loads in a thread; the window goes on meanwhile."""
 
-    def __init__(self, host: Host, done: Callable[[str], None]) -> None:
-        """``done(fault)`` is called in the thread once what draws is ready and again once all is.
+    def __init__(self, host: Host, done: Callable[[str], None], own: Iterable[Step] = ()) -> None:
+        """``own`` are the front end's own steps, taken first.
+
+        ``done(fault)`` is called in the thread once what draws is ready and again once all is.
 
         It gets an empty text, or a sentence that says what went wrong.
         """
         self._host = host
         self._done = done
+        self._own = tuple(own)
+        self._parts = (*([OWN] if self._own else []), *PARTS)
         self._compilers: dict[str, subprocess.Popen[bytes]] = {}
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._work, name="warming", daemon=True)
@@ -87,10 +96,10 @@ class Warming:
         try:
             if not compiled.is_warm():
                 self._begin_compiling()
-            for part in PARTS:
+            for part in self._parts:
                 if not self._make_ready(part):
                     return
-                if part != PARTS[-1]:
+                if part == PARTS[0]:
                     self._done("")
             compiled.mark_warm()
         except (LayfigureError, OSError, ImportError, RuntimeError) as error:
@@ -102,7 +111,7 @@ class Warming:
         """Load a part, once its compiler is done; return whether to go on."""
         if part in self._compilers:
             self._compilers[part].wait()
-        for _, work in steps(self._host, part):
+        for _, work in steps(self._host, part, self._own):
             if self._stopped.is_set():
                 return False
             work()
@@ -112,7 +121,7 @@ class Warming:
         """Fill the cache in processes of their own, side by side: a thread would hold the interpreter lock."""
         compiled.prepare()
         quiet = subprocess.DEVNULL
-        for part in PARTS:
+        for part in self._parts:
             command = [sys.executable, "-m", "layfigure_frontends", "warm", "--quiet", "--only", part]
             self._compilers[part] = subprocess.Popen(
                 command, stdin=quiet, stdout=quiet, stderr=quiet, process_group=0

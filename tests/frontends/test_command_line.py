@@ -119,7 +119,7 @@ def test_diff_takes_a_picture_that_carries_a_pose(tmp_path):
         (["render", "absent.log", "-o", "x.png"], "no such file"),
         (["replay", "absent.log"], "no such file"),
         (["--config", "absent.toml"], "no such file"),
-        (["--frontend", "terminal"], "no terminal front end yet"),
+        (["--frontend", "terminal"], "no terminal"),
         (["--frontend", "sdl"], "no display"),
         (["figure", "info", "humanoit"], 'did you mean "humanoid"'),
         (["check", "notes.txt"], "must end in"),

@@ -54,13 +54,30 @@ def test_numba_is_imported_only_by_kernels():
     assert users and all("kernels" in path.as_posix() for path in users)
 
 
+def test_the_terminal_is_controlled_only_by_the_terminal_front_end_and_what_measures_it():
+    control = re.compile(r"\\x1b|\\033|\\e\[|^\s*(import|from) (termios|tty|curses)\b", re.M)
+    users = {path for path in SOURCES if control.search(path.read_text(encoding="utf-8"))}
+    places = ("layfigure_frontends/terminal", "layfigure_frontends/bench/terminals")
+    assert users and all(any(place in path.as_posix() for place in places) for path in users)
+
+
+def test_a_terminal_is_taken_over_and_written_to_before_numba_is_imported():
+    loading = (
+        "from layfigure_frontends.terminal import cells, depth, driver, encoder, fence, graphics, parser, tty;"
+        "grid = cells.Grid(80, 24); assert encoder.CellEncoder(depth.Depth.TRUE).encode(grid)"
+    )
+    assert not {"numba", "pygame", "PIL", "click", "rich"} & imported_by(loading)
+
+
 def test_nothing_is_pickled_or_evaluated():
     for path in SOURCES:
         assert not re.search(r"\bpickle\b|\beval\(|\bexec\(|allow_pickle=True", path.read_text(encoding="utf-8")), path
 
 
 def test_front_ends_name_no_technique_and_no_key_meaning():
-    for path in (ROOT / "frontends" / "layfigure_frontends" / "sdl").rglob("*.py"):
+    windows = [*(ROOT / "frontends").rglob("sdl/*.py"), *(ROOT / "frontends").rglob("terminal/**/*.py")]
+    assert len(windows) > 30
+    for path in windows:
         assert not re.search(r"technique\s*==|[\"']generator[\"']", path.read_text(encoding="utf-8")), path
 
 

@@ -9,17 +9,10 @@ from typing import NamedTuple
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.frame import Size
-from layfigure.session.layout import STATUS
+from layfigure.session.metrics import metrics
 
-PADDING = 24
-ROW = 36
-PALETTE_WIDTH = 620
-PALETTE_LINE = 56
 PALETTE_TOP = 0.14  # of the surface's height
 PALETTE_ROWS = 9
-QUESTION_WIDTH = 500
-QUESTION_TEXT = 72  # three lines
-ANSWER = 36
 
 
 class Palette(NamedTuple):
@@ -41,27 +34,32 @@ class Question(NamedTuple):
 
 def palette(size: Size, count: int, chosen: int) -> Palette:
     """Return the places of a palette with ``count`` matching rows, scrolled so that the chosen one is shown."""
-    unit, top = size.scale, round(size.height * PALETTE_TOP)
-    width = min(round(PALETTE_WIDTH * unit), size.width - round(2 * PADDING * unit))
-    left, line, row, edge = (size.width - width) // 2, round(PALETTE_LINE * unit), round(ROW * unit), round(8 * unit)
-    room = max((size.height - round(STATUS * unit) - top - line - 2 * edge) // row, 1)
+    of, unit = metrics(size), size.scale
+    top = round(size.height * PALETTE_TOP) // of.grain * of.grain
+    width = min(round(of.palette_width * unit), size.width - round(2 * of.padding_x * unit))
+    left, line, row = (size.width - width) // 2, round(of.palette_line * unit), round(of.row * unit)
+    side, edge = round(of.edge_x * unit), round(of.edge_y * unit)
+    room = max((size.height - round(of.status * unit) - top - line - 2 * edge) // row, 1)
     shown = min(count, PALETTE_ROWS, room)
     first = min(max(chosen - shown // 2, 0), count - shown)
     body = max(shown, 1) * row + 2 * edge
-    rows = tuple(Rectangle(left + edge, top + line + edge + i * row, width - 2 * edge, row) for i in range(shown))
+    rows = tuple(Rectangle(left + side, top + line + edge + i * row, width - 2 * side, row) for i in range(shown))
     return Palette(Rectangle(left, top, width, line + body), Rectangle(left, top, width, line), rows, first)
 
 
 def question(size: Size, count: int) -> Question:
     """Return the places of a question with ``count`` answers, the last one at the right edge."""
-    unit = size.scale
-    padding, gap, answer = round(PADDING * unit), round(8 * unit), round(ANSWER * unit)
-    width = min(round(QUESTION_WIDTH * unit), size.width - 2 * padding)
-    height = 3 * padding + round(QUESTION_TEXT * unit) + answer
-    box = Rectangle((size.width - width) // 2, max((size.height - height) // 3, 0), width, height)
+    of, unit = metrics(size), size.scale
+    padding, edge, gap = round(of.padding_x * unit), round(of.padding_y * unit), round(of.gap_x * unit)
+    words, answer = round(of.question_text * unit), round(of.answer * unit)
+    width = min(round(of.question_width * unit), size.width - 2 * padding)
+    height = 3 * edge + words + answer
+    box = Rectangle(
+        (size.width - width) // 2, max((size.height - height) // 3, 0) // of.grain * of.grain, width, height
+    )
     inner = width - 2 * padding
-    text = Rectangle(box.x + padding, box.y + padding, inner, round(QUESTION_TEXT * unit))
+    text = Rectangle(box.x + padding, box.y + edge, inner, words)
     each = (inner - gap * (count - 1)) // max(count, 1)
-    top = box.y + height - padding - answer
+    top = box.y + height - edge - answer
     answers = tuple(Rectangle(box.x + padding + i * (each + gap), top, each, answer) for i in range(count))
     return Question(box, text, answers)

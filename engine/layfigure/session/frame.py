@@ -1,7 +1,8 @@
 """What a front end gets back: where to draw which view, which widgets, and what stands on top.
 
-All coordinates are surface pixels (cells in a terminal). A front end draws ``shots`` through the session, then paints
-the widgets in order, then the marks, then the overlay. It decides nothing.
+All coordinates are surface pixels (half-block pixels in a terminal: a cell is one wide and two high). A front end
+draws ``shots`` through the session, then paints the widgets in order, then the marks, then the overlay. It decides
+nothing.
 """
 
 from __future__ import annotations
@@ -13,11 +14,15 @@ from layfigure.drawing.render_list import Rectangle
 
 
 class Size(NamedTuple):
-    """A surface: width and height in pixels and ``scale`` pixels per layout unit (2.0 on a high-density screen)."""
+    """A surface: width and height in pixels and ``scale`` pixels per layout unit (2.0 on a high-density screen).
+
+    ``cells``: it is a terminal of ``width`` columns and ``height / 2`` rows, laid out for text.
+    """
 
     width: int
     height: int
     scale: float = 1.0
+    cells: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,7 +63,10 @@ class Button:
 
 @dataclass(frozen=True)
 class SliderBar:
-    """A number between low and high; clicking or dragging runs ``command`` with the value appended."""
+    """A number between low and high; clicking or dragging runs ``command`` with the value appended.
+
+    ``limits``: low and high are worth saying, as a joint's are.
+    """
 
     rectangle: Rectangle
     text: str
@@ -69,6 +77,7 @@ class SliderBar:
     step: float
     key: str = ""
     unit: str = ""
+    limits: bool = False
 
 
 @dataclass(frozen=True)

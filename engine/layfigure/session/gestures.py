@@ -10,10 +10,9 @@ from layfigure.drawing.render_list import Rectangle
 from layfigure.session.events import Event, KeyEvent, PointerEvent
 from layfigure.session.frame import JointBall, JointCircle, Outline, Pane, Size, SliderBar
 from layfigure.session.joint_dials import ball_line, circle_line
+from layfigure.session.metrics import metrics
 from layfigure.session.modes import Become, Continue, GiveUp, Outcome, Plain, Pop, Preview, Run, Settle
 from layfigure.session.words import join_line, split_line
-
-CLICK_SLACK = 4.0
 
 
 @dataclass(frozen=True)
@@ -22,18 +21,17 @@ class PointerDrag(Plain):
 
     def hear(self, event: Event, size: Size) -> Sequence[Outcome] | None:
         """Answer moves and the release; keys but Esc wait until the gesture has ended."""
-        del size
         if isinstance(event, KeyEvent):
             return [Pop(), *self.given_up()] if event.key == "escape" else []
         if not isinstance(event, PointerEvent) or event.kind not in ("move", "release"):
             return []
-        return self.dragged(event)
+        return self.dragged(event, size)
 
     def given_up(self) -> Sequence[Outcome]:
         """Return what takes back what the gesture has shown."""
         return [GiveUp()]
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Return what a move means, or the release."""
         raise NotImplementedError
 
@@ -45,7 +43,7 @@ class SliderDrag(PointerDrag):
     bar: SliderBar
     line: str = ""
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Preview while moving, run on release."""
         line = slider_line(self.bar, event.x)
         if event.kind == "release":
@@ -71,7 +69,7 @@ class DialDrag(PointerDrag):
     dial: JointBall | JointCircle
     locked: bool = False
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Preview while moving, run on release."""
         line = dial_line(self.dial, event.x, event.y)
         follow = Continue(line) if self.locked else Preview(line)
@@ -105,9 +103,9 @@ class GoalDrag(PointerDrag):
     tip: tuple[float, float, float]
     moved: bool = False
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Follow while moving, settle on release."""
-        moved = self.moved or _far(self.start, event)
+        moved = self.moved or _far(self.start, event, size)
         if not moved:
             return [Pop(), Run(self.click)] if event.kind == "release" else []
         x, y = self.tip[0] + event.x - self.start[0], self.tip[1] + event.y - self.start[1]
@@ -132,9 +130,9 @@ class OrbitDrag(PointerDrag):
         """Turn the view back."""
         return [Run(camera_line(self.camera))]
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Turn while moving."""
-        moved = self.moved or _far(self.start, event)
+        moved = self.moved or _far(self.start, event, size)
         turn = [Run(camera_line(self._turned(event)))] if moved else []
         if event.kind == "release":
             return [Pop(), *turn] if moved or not self.click else [Pop(), Run(self.click)]
@@ -173,9 +171,9 @@ class BandDrag(PointerDrag):
         """Nothing was done yet."""
         return []
 
-    def dragged(self, event: PointerEvent) -> Sequence[Outcome]:
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
         """Grow the rectangle while moving, take what is inside on release."""
-        moved = self.now is not None or _far(self.start, event)
+        moved = self.now is not None or _far(self.start, event, size)
         grown = replace(self, now=(event.x, event.y) if moved else None)
         if event.kind == "move":
             return [Become(grown)]
@@ -198,5 +196,6 @@ class BandDrag(PointerDrag):
         return (Outline(self.rectangle(), "band"),) if self.now is not None else ()
 
 
-def _far(start: tuple[float, float], event: PointerEvent) -> bool:
-    return abs(event.x - start[0]) > CLICK_SLACK or abs(event.y - start[1]) > CLICK_SLACK
+def _far(start: tuple[float, float], event: PointerEvent, size: Size) -> bool:
+    slack = metrics(size).slack
+    return abs(event.x - start[0]) > slack or abs(event.y - start[1]) > slack

@@ -9,10 +9,11 @@ from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Limb, limits_from
 from layfigure.files.decimals import plain
 from layfigure.session.document import Document
-from layfigure.session.frame import JointBall, JointCircle
+from layfigure.session.frame import JointBall, JointCircle, SliderBar
 from layfigure.session.words import join_line, quoted
 
 NOWHERE = Rectangle(0, 0, 0, 0)
+STEP = 1.0  # degrees of a slider
 FINEST = 0.05  # degrees: what a pointer sets is a multiple of it, so that logs stay readable
 
 
@@ -25,6 +26,22 @@ def joint_dials(document: Document, selected: tuple[int, ...]) -> tuple[JointBal
     flexion, pivot, twist = document.pose.angles[limb.index].tolist()
     angles = (flexion, pivot, twist)
     return (_swing_dial(limb, command, angles), _twist_dial(limb, command, angles))
+
+
+def joint_sliders(document: Document, selected: tuple[int, ...]) -> tuple[SliderBar, ...]:
+    """Return a slider for each degree of freedom of the limb selected last, for where a dial would be too small."""
+    if not selected:
+        return ()
+    limb = document.figure.limbs[selected[-1]]
+    angles = document.pose.angles[limb.index].tolist()
+    limits = limits_from(limb, angles)
+    return tuple(
+        SliderBar(
+            NOWHERE, kind.capitalize(), f"angle {quoted(limb.name)} {kind}", at, low, high, STEP, unit="°", limits=True
+        )
+        for kind, at, (low, high) in zip(DOF_KINDS, angles, limits, strict=True)
+        if limb.turns(kind)
+    )
 
 
 def _swing_dial(limb: Limb, command: str, angles: tuple[float, float, float]) -> JointBall | JointCircle:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -152,6 +152,13 @@ def control_bindings(technique: str, title: str, controls: Iterable[Controls]) -
                 yield Binding(control.keys, control.name, control.title, title, technique=technique)
             case _:
                 pass
+
+
+def told_first(bindings: Iterable[Binding], reports: Callable[[str], bool] | None) -> tuple[Binding, ...]:
+    """Return bindings with the keys that a front end can report before its others, so that those are the ones shown."""
+    if reports is None:
+        return tuple(bindings)
+    return tuple(replace(each, keys=tuple(sorted(each.keys, key=lambda key: not reports(key)))) for each in bindings)
 
 
 def spoken(key: str) -> str:

@@ -12,11 +12,10 @@ from typing import NamedTuple
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.frame import Pane, Size
+from layfigure.session.metrics import PIXELS, Metrics, metrics
 
-MARGIN = 12
-GAP = 8
-STATUS = 34
-PANEL = 276  # what a technique's controls need below the working pose
+Scale = tuple[float, float]  # across and down
+UNIT: Scale = (1.0, 1.0)
 
 
 class Areas(NamedTuple):
@@ -30,32 +29,47 @@ class Areas(NamedTuple):
 
 def areas(size: Size, *, with_page: bool) -> Areas:
     """Return the areas of a surface; the working pose gets the page's place where there are no candidates."""
-    unit = size.scale
-    margin, status = round(MARGIN * unit), round(STATUS * unit)
-    inner_height = size.height - status - 2 * margin
-    column = round(min(max(size.width * 0.235, 290 * unit), 460 * unit))
+    of, unit = metrics(size), size.scale
+    margin, top, status = round(of.margin_x * unit), round(of.margin_y * unit), round(of.status * unit)
+    inner_height = size.height - status - 2 * top
+    column = round(min(max(size.width * of.column_share, of.column_least * unit), of.column_most * unit))
     left = size.width - margin - column
-    page = Rectangle(margin, margin, max(left - 2 * margin, 1), max(inner_height, 1))
+    page = Rectangle(margin, top, max(left - 2 * margin, 1), max(inner_height, 1))
     bar = Rectangle(0, size.height - status, size.width, status)
     if not with_page:
-        return Areas(Rectangle(margin, margin, 0, 0), page, Rectangle(left, margin, column, inner_height), bar)
-    heading = round(26 * unit)
-    poser_height = min(heading + round(column / 1.4), max(inner_height - round(PANEL * unit), inner_height // 4))
-    poser = Rectangle(left, margin, column, poser_height)
-    below = margin + poser_height + round(GAP * unit)
-    return Areas(page, poser, Rectangle(left, below, column, size.height - status - margin - below), bar)
+        return Areas(Rectangle(margin, top, 0, 0), page, Rectangle(left, top, column, inner_height), bar)
+    wanted = round(of.heading * unit) + round(column / of.poser_shape)
+    allowed = max(inner_height - round(of.panel * unit), int(inner_height * of.poser_share))
+    poser_height = _whole(min(wanted, allowed), of.grain)
+    poser = Rectangle(left, top, column, poser_height)
+    below = top + poser_height + round(of.gap_y * unit)
+    return Areas(page, poser, Rectangle(left, below, column, size.height - status - top - below), bar)
 
 
-def grid(count: int, area: Rectangle, gap: int) -> list[Rectangle]:
-    """Return ``count`` cells of shape 3:2 (a square view with two half views beside it), as large as they fit."""
+def _whole(length: int, grain: int) -> int:
+    """Cut a length down to whole lines of text."""
+    return length - length % grain
+
+
+def three_views(size: Size) -> bool:
+    """Whether a surface has room for three views of every candidate."""
+    full = metrics(size).full
+    return size.width >= full[0] and size.height >= full[1]
+
+
+def grid(count: int, area: Rectangle, gap: int, *, shape: float = 1.5, grain: int = 1) -> list[Rectangle]:
+    """Return ``count`` cells as large as they fit, their heights multiples of ``grain``.
+
+    ``shape`` is width / height: 3:2 for a square view with two half views beside it.
+    """
     best: tuple[float, int] = (0.0, 1)
     for columns in range(1, count + 1):
         rows = math.ceil(count / columns)
-        side = min((area.width - gap * (columns - 1)) / columns / 1.5, (area.height - gap * (rows - 1)) / rows)
+        side = min((area.width - gap * (columns - 1)) / columns / shape, (area.height - gap * (rows - 1)) / rows)
         best = max(best, (side, columns))
     columns, rows = best[1], math.ceil(count / best[1])
     width = (area.width - gap * (columns - 1)) // columns
-    height = (area.height - gap * (rows - 1)) // rows
+    height = _whole((area.height - gap * (rows - 1)) // rows, grain)
     return [
         Rectangle(area.x + (width + gap) * (i % columns), area.y + (height + gap) * (i // columns), width, height)
         for i in range(count)
@@ -90,26 +104,37 @@ class Column:
 
     area: Rectangle
     unit: float
+    of: Metrics = PIXELS
     top: float = 0.0
 
-    def row(self, height: float, gap: float = GAP) -> Rectangle:
+    def row(self, height: float, gap: float | None = None) -> Rectangle:
         """Return the next full-width row."""
         rectangle = Rectangle(
             self.area.x, round(self.area.y + self.top * self.unit), self.area.width, round(height * self.unit)
         )
-        self.top += height + gap
+        self.top += height + (self.of.gap_y if gap is None else gap)
         return rectangle
 
     def fits(self, height: float) -> bool:
         """Whether a row of that height still fits."""
         return (self.top + height) * self.unit <= self.area.height
 
-    def split(self, count: int, height: float, gap: float = GAP) -> list[Rectangle]:
+    def split(self, count: int, height: float, gap: float | None = None) -> list[Rectangle]:
         """Return the next row cut into ``count`` equal cells."""
         row = self.row(height, gap)
-        space = round(GAP * self.unit)
+        space = round(self.of.gap_x * self.unit)
         width = (row.width - space * (count - 1)) // count
         return [Rectangle(row.x + i * (width + space), row.y, width, row.height) for i in range(count)]
+
+    def across(self, most: int) -> int:
+        """Return how many buttons stand side by side, ``most`` where they are wide enough."""
+        return max(min(most, int(self.area.width // max(self.of.button_least * self.unit, 1))), 1)
+
+
+def stretched(box: Rectangle, across: float, down: float) -> Rectangle:
+    """Return a rectangle on a surface of so many times the width and height; what touched still touches."""
+    left, top = round(box.x * across), round(box.y * down)
+    return Rectangle(left, top, round((box.x + box.width) * across) - left, round((box.y + box.height) * down) - top)
 
 
 def pane_at(panes: tuple[Pane, ...], x: float, y: float) -> Pane | None:

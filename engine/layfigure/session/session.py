@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from layfigure.configuration import load_bindings
-from layfigure.drawing.render_list import RenderList, Target
+from layfigure.drawing.joint_kinds import coded_by_kind
+from layfigure.drawing.render_list import PLAIN, Look, RenderList, Target
 from layfigure.errors import LayfigureError, PluginError
 from layfigure.plugins.discovery import Found
 from layfigure.plugins.host import Host
@@ -26,8 +27,9 @@ from layfigure.session.events import Event
 from layfigure.session.figures import reference_to
 from layfigure.session.frame import Frame, Size
 from layfigure.session.history import Change, History
-from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken
+from layfigure.session.keymap import Binding, KeyTable, Situation, control_bindings, spoken, told_first
 from layfigure.session.keymap import hints as hints_of
+from layfigure.session.layout import UNIT, Scale
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.rendering import Renderers
@@ -51,6 +53,7 @@ class SessionOptions:
     theme: str = "dark"
     frontend: str = "headless"
     bindings: tuple[Binding, ...] = ()
+    reports: Callable[[str], bool] | None = None  # which keys the front end can report; None: all
     keymap: str = ""  # the name that the bindings were loaded by, so that plug-ins which come later add theirs
     technique_options: dict[str, dict[str, Option]] = field(default_factory=dict)
     folder: Path = Path()
@@ -101,14 +104,15 @@ class Session:
         """Return what to show on a surface of that size."""
         return self._stage.compose(size).frame
 
-    def draw(self, frame: Frame, target: Target) -> None:
-        """Draw the views of the frame composed last into a target; falls back where a renderer fails."""
-        picture = self._stage.picture
-        assert picture.frame is frame
-        self.render(picture.render_list, target)
+    def draw(self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: Scale = UNIT) -> None:
+        """Draw the views of the frame composed last into a target, perhaps ``enlarged``; ``kinds`` codes them for
+        :func:`layfigure.drawing.joint_kinds.kinds_shown`."""
+        assert self._stage.picture.frame is frame
+        listed = self._stage.enlarged(*enlarged)
+        self.render(coded_by_kind(listed, self.document.figure) if kinds else listed, target, PLAIN if kinds else None)
 
-    def render(self, render_list: RenderList, target: Target) -> None:
-        """Draw with the chosen renderer, or the next that works.
+    def render(self, render_list: RenderList, target: Target, look: Look | None = None) -> None:
+        """Draw with the chosen renderer, or the next that works, in the view's look or another.
 
         Raises:
             ImpossibleError: no renderer is in service.
@@ -116,7 +120,7 @@ class Session:
         wanted = self.host.renderers.get(self.view.renderer)
         if wanted is not None and wanted.compiled and not self._renderers.compiled:
             self.workshop.solvers.await_compiled()
-        self._renderers.draw(render_list, target, self.view.look, preferred=self.view.renderer)
+        self._renderers.draw(render_list, target, look or self.view.look, preferred=self.view.renderer)
 
     def begin(self, document: Document) -> None:
         """Start over with a document: no history, a log that says where it begins."""
@@ -319,10 +323,9 @@ class Session:
         """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""
         in_service = tuple(self.host.techniques.values())
         if self._key_table is None or self._key_table[0] != in_service:
-            bindings: list[Binding] = []
-            for record in self.host.techniques.values():
-                bindings.extend(control_bindings(record.id, record.title, record.controls))
-            self._key_table = in_service, KeyTable((*bindings, *self.options.bindings))
+            own = [b for t in in_service for b in control_bindings(t.id, t.title, t.controls)]
+            told = told_first((*own, *self.options.bindings), self.options.reports)
+            self._key_table = in_service, KeyTable(told)
         return self._key_table[1]
 
     def key_for(self, command: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -20,8 +20,19 @@ from layfigure.kinematics.forward import place_pose
 from layfigure.poses.locks import locked_joints, tips_of
 from layfigure.poses.pose import Pose
 from layfigure.session.frame import Frame, Label, Outline, Pane, Sign, Size, Widget, WorldLine
-from layfigure.session.joint_dials import joint_dials
-from layfigure.session.layout import Areas, Column, areas, candidate_views, grid, pane_at, poser_views
+from layfigure.session.joint_dials import joint_dials, joint_sliders
+from layfigure.session.layout import (
+    Areas,
+    Column,
+    areas,
+    candidate_views,
+    grid,
+    pane_at,
+    poser_views,
+    stretched,
+    three_views,
+)
+from layfigure.session.metrics import Metrics, metrics
 from layfigure.session.panel import PanelText, panel
 from layfigure.session.signs import drawn, lock_marks, overlay_lines, technique_marks
 from layfigure.techniques.contract import Offer
@@ -29,7 +40,6 @@ from layfigure.techniques.contract import Offer
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
-TOLERANCE = 5.0
 WORKING, SKELETON = -1, -2
 FAR = 0.35  # of what a view shows from its middle to its edge: how far the root may be carried in a still picture
 
@@ -42,6 +52,7 @@ class Picture:
     poses: tuple[Pose, ...]
     shots: tuple[Shot, ...]
     render_list: RenderList
+    colouring: Colouring
 
 
 class Stage:
@@ -61,7 +72,7 @@ class Stage:
         poses = (session.document.pose, *offer.candidates, *[session.document.pose] * skeleton)
         panes: list[Pane] = []
         shots: list[Shot] = []
-        for candidate, view, rectangle in _views(place, offer, size.scale, skeleton=skeleton):
+        for candidate, view, rectangle in _views(place, offer, self._asked(size), skeleton=skeleton):
             camera = session.view.camera if view == "main" else Camera(FIXED_VIEWS[view], session.view.camera.zoom)
             background = session.theme.pane_chosen if candidate == session.view.candidate else session.theme.pane
             panes.append(Pane(candidate, view, rectangle, len(shots)))
@@ -83,9 +94,18 @@ class Stage:
             text_input=session.mode.state == "palette",
             theme=session.view.theme,
         )
-        listed = build_render_list(session.document.figure, poses, shots, self._colouring(len(poses), skeleton))
-        self._picture = Picture(frame, poses, tuple(shots), listed)
+        colouring = self._colouring(len(poses), skeleton)
+        listed = build_render_list(session.document.figure, poses, shots, colouring)
+        self._picture = Picture(frame, poses, tuple(shots), listed, colouring)
         return self._picture
+
+    def enlarged(self, across: float, down: float) -> RenderList:
+        """Return what the last picture shows on a surface of so many times its width and height."""
+        picture = self.picture
+        if (across, down) == (1.0, 1.0):
+            return picture.render_list
+        shots = [replace(shot, rectangle=stretched(shot.rectangle, across, down)) for shot in picture.shots]
+        return build_render_list(self._session.document.figure, picture.poses, shots, picture.colouring)
 
     @property
     def picture(self) -> Picture:
@@ -123,7 +143,7 @@ class Stage:
 
     def part_at(self, pane: Pane, x: float, y: float) -> int:
         """Return the limb, movable or not, that a point of a view shows, or -1."""
-        return pick(self.picture.render_list, pane.shot, x, y, TOLERANCE * self.picture.frame.size.scale)
+        return pick(self.picture.render_list, pane.shot, x, y, metrics(self.size).tolerance * self.size.scale)
 
     def end_at(self, pane: Pane, x: float, y: float) -> int | None:
         """Return the limb whose end a drag from a point of the working pose moves, or None.
@@ -214,23 +234,31 @@ class Stage:
         return Colouring(load_palette("default").rgb(figure.colours), styles, frozenset(own[1:]))
 
     def _widgets(self, place: Areas, panes: list[Pane], offer: Offer, size: Size) -> Iterator[Widget]:
-        unit = size.scale
+        unit, of, shown = size.scale, metrics(size), self._asked(size).shown
         for pane in panes:
-            if pane.candidate >= 0 and pane.view == "main":
-                box = Rectangle(pane.rectangle.x, pane.rectangle.y, round(26 * unit), round(26 * unit))
-                yield Label(box, str(pane.candidate + 1), "number", "centre")
-                yield from _badge(offer, pane, unit)
-            if pane.candidate < 0 and pane.rectangle.width >= 60 * unit and place.poser.width >= 200 * unit:
-                box = pane.rectangle
-                yield Label(
-                    Rectangle(box.x + round(6 * unit), box.y + round(4 * unit), box.width, round(16 * unit)),
-                    self._view_name(pane.view),
-                    "small",
-                )
-        heading = Rectangle(place.poser.x, place.poser.y, place.poser.width, round(20 * unit))
-        yield Label(heading, self._session.document.figure.name, "title")
-        text = self._panel_text(offer)
-        yield from panel(Column(place.panel, unit), text, self._session.key_for)
+            box = pane.rectangle
+            if pane.candidate >= 0 and pane.view == (shown or "main"):
+                number = Rectangle(box.x, box.y, round(of.number_x * unit), round(of.number_y * unit))
+                yield Label(number, str(pane.candidate + 1), "number", "centre")
+                yield from _badge(offer, pane, of, unit)
+            if pane.candidate < 0 and box.width >= of.name_least * unit and place.poser.width >= of.names_least * unit:
+                left, top = box.x + round(of.name_x * unit), box.y + round(of.name_y * unit)
+                place_of_name = Rectangle(left, top - top % of.grain, box.width, round(of.name * unit))
+                yield Label(place_of_name, self._view_name(pane.view), "small")
+        heading = Rectangle(place.poser.x, place.poser.y, place.poser.width, round(of.title * unit))
+        yield Label(heading, self._heading(shown), "title")
+        widgets = panel(Column(place.panel, unit, of), self._panel_text(offer, size), self._session.key_for)
+        bottom = place.panel.y + place.panel.height
+        yield from (w for w in widgets if of.overflow or w.rectangle.y + w.rectangle.height <= bottom)
+
+    def _asked(self, size: Size) -> Asked:
+        """Return what a surface has room for, and the view that is shown where there is room for one only."""
+        shown = "" if three_views(size) else self._session.view.shown
+        return Asked(metrics(size), size.scale, shown)
+
+    def _heading(self, shown: str) -> str:
+        name = self._session.document.figure.name
+        return f"{name}, {self._view_name(shown)}" if shown else name
 
     def _view_name(self, view: str) -> str:
         rotation = self._session.view.camera.rotation
@@ -238,8 +266,9 @@ class Stage:
             return view
         return next((name for name, fixed in FIXED_VIEWS.items() if fixed == rotation), "turned")
 
-    def _panel_text(self, offer: Offer) -> PanelText:
+    def _panel_text(self, offer: Offer, size: Size) -> PanelText:
         session = self._session
+        dials = joint_dials if metrics(size).dial else joint_sliders
         host = session.host
         return PanelText(
             limb=session.describe_selection(),
@@ -247,7 +276,7 @@ class Stage:
             technique=session.document.technique,
             controls=session.controls(),
             offer=offer,
-            dials=joint_dials(session.document, session.view.selected) if "drag" in session.channels else (),
+            dials=dials(session.document, session.view.selected) if "drag" in session.channels else (),
             on=frozenset({"symmetric"} if session.document.symmetric else ()),
         )
 
@@ -259,25 +288,44 @@ class Stage:
             yield from (Outline(pane.rectangle, "focus") for pane in panes if pane.view == "main")
 
 
-def _badge(offer: Offer, pane: Pane, unit: float) -> Iterator[Widget]:
+@dataclass(frozen=True)
+class Asked:
+    """How views are laid out: sizes, pixels per unit, and the one view that is shown of each pose (empty: three)."""
+
+    of: Metrics
+    unit: float
+    shown: str
+
+
+def _badge(offer: Offer, pane: Pane, of: Metrics, unit: float) -> Iterator[Widget]:
     """Yield what the technique notes on a candidate, beside its number."""
     text = offer.badges[pane.candidate] if pane.candidate < len(offer.badges) else ""
     if text:
-        box, number = pane.rectangle, round(30 * unit)
-        beside = Rectangle(box.x + number, box.y, box.width - number - round(6 * unit), round(26 * unit))
+        box, number = pane.rectangle, round(of.badge_left * unit)
+        width = box.width - number - round(of.badge_right * unit)
+        beside = Rectangle(box.x + number, box.y, width, round(of.number_y * unit))
         yield Label(beside, text, "text", "right")
 
 
-def _views(place: Areas, offer: Offer, unit: float, *, skeleton: bool) -> Iterator[tuple[int, str, Rectangle]]:
-    line = max(round(2 * unit), 1)
-    heading = round(26 * unit)
+def _views(place: Areas, offer: Offer, asked: Asked, *, skeleton: bool) -> Iterator[tuple[int, str, Rectangle]]:
+    of, unit, shown = asked.of, asked.unit, asked.shown
+    line = max(round(of.views_line * unit), 1)
+    heading = round(of.heading * unit)
     below = Rectangle(place.poser.x, place.poser.y + heading, place.poser.width, place.poser.height - heading)
-    yield from ((WORKING, view, rectangle) for view, rectangle in poser_views(below, line))
+    yield from ((WORKING, view, rectangle) for view, rectangle in _own_views(below, line, asked))
     if skeleton:
-        yield from ((SKELETON, view, rectangle) for view, rectangle in poser_views(place.page, line))
+        yield from ((SKELETON, view, rectangle) for view, rectangle in _own_views(place.page, line, asked))
     elif offer.candidates:
-        for candidate, cell in enumerate(grid(len(offer.candidates), place.page, round(8 * unit))):
-            yield from ((candidate, view, rectangle) for view, rectangle in candidate_views(cell, line))
+        gap, shape = round(of.card_gap * unit), 1.0 if shown else 1.5
+        for candidate, cell in enumerate(grid(len(offer.candidates), place.page, gap, shape=shape, grain=of.grain)):
+            parts = [(shown, cell)] if shown else candidate_views(cell, line)
+            yield from ((candidate, view, rectangle) for view, rectangle in parts)
+
+
+def _own_views(area: Rectangle, line: int, asked: Asked) -> Iterable[tuple[str, Rectangle]]:
+    """Return the views of the working pose in an area: the one that is shown where it is too narrow for three."""
+    narrow = asked.shown and area.width < asked.of.views_least
+    return [(asked.shown, area)] if narrow else poser_views(area, line)
 
 
 def _around(rectangles: list[Rectangle]) -> Rectangle:

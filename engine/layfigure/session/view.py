@@ -15,7 +15,8 @@ class ViewState:
     ``candidate`` is the 0-based candidate keys act on; ``selected`` the selected limbs, the last being the one that
     keys walk from; ``hover`` is (candidate, limb) under the pointer, candidate -1 being the working pose; ``overlays``
     are the plug-ins' overlays that are shown. ``anchor`` is the world point that the cameras stay with, so that a root
-    that is carried is seen to move; ``skeleton`` says whether the skeleton is shown in the candidates' place.
+    that is carried is seen to move; ``skeleton`` says whether the skeleton is shown in the candidates' place;
+    ``shown`` is the view of every pose (``main``, ``right``, ``top``) where the surface has no room for three.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -28,3 +29,4 @@ class ViewState:
     overlays: frozenset[str] = frozenset()
     anchor: tuple[float, float, float] = (0.0, 0.0, 0.0)
     skeleton: bool = False
+    shown: str = "main"

@@ -14,6 +14,7 @@ _AREAS = {
     "generator": "layfigure_frontends.bench.generator",
     "posing": "layfigure_frontends.bench.posing",
     "startup": "layfigure_frontends.bench.startup",
+    "terminal": "layfigure_frontends.bench.terminals.measuring",
 }
 
 

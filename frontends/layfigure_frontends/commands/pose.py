@@ -16,14 +16,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class WindowChoice:
-    """How the window is to open."""
+    """How the window is to open, or the terminal to be used."""
 
     scale: float | None
     size: str | None
     keymap: str
     no_restore: bool
+    color: str
+    graphics: str
+    fps: float
 
 
+COLOURS = {"auto": "auto", "true": "truecolor", "256": "256", "16": "16", "mono": "mono", "plain": "plain"}
+PICTURES = ("auto", "sixel", "kitty", "cells")
 window_options = as_record(
     "window",
     WindowChoice,
@@ -31,6 +36,9 @@ window_options = as_record(
     click.option("--size", metavar="WxH", help="Size of the window in pixels."),
     click.option("--keymap", default="", metavar="NAME", help="Keys: layfigure, blender or maya."),
     click.option("--no-restore", is_flag=True, help="Do not offer back a session that was not closed."),
+    click.option("--color", type=click.Choice(list(COLOURS)), default="auto", help="Colours in a terminal."),
+    click.option("--graphics", type=click.Choice(PICTURES), default="auto", help="Pictures in a terminal."),
+    click.option("--fps", type=click.FloatRange(1, 60), default=30, help="Most frames a second in a terminal."),
 )
 
 
@@ -59,13 +67,13 @@ line_options = as_record(
 def command(what: str, frontend: str | None, lines: LineChoice, window: WindowChoice, choice: PluginChoice) -> int:
     """Pose a figure (by name or .fig file) or go on with a .pose file.
 
-    Opens a window where there is a display; else plays a script and writes a picture and a pose. With --plain lines
-    are read from a terminal or a pipe and answered in sentences.
+    Opens a window where there is a display, else works in the terminal; where there is none either, plays a script and
+    writes a picture and a pose. With --plain lines are read from a terminal or a pipe and answered in sentences.
     """
     from layfigure.configuration import load_configuration
 
     configuration = load_configuration(choice.config)
-    chosen = "plain" if lines.plain else choose_frontend(frontend or configuration.frontend)
+    chosen = "plain" if lines.plain or window.color == "plain" else choose_frontend(frontend or configuration.frontend)
     if chosen == "plain":
         from layfigure_frontends.plain.voice import at_terminal, greet
 
@@ -74,6 +82,8 @@ def command(what: str, frontend: str | None, lines: LineChoice, window: WindowCh
         from layfigure_frontends.plain.loop import run as run_prompt
 
         return run_prompt(lambda: _interactive(choice, what, "plain", window), strict=lines.strict)
+    if chosen == "terminal":
+        return _in_terminal(choice, what, window)
     if chosen == "headless":
         from layfigure_frontends.headless import pose_without_window
 
@@ -84,6 +94,14 @@ def command(what: str, frontend: str | None, lines: LineChoice, window: WindowCh
 
     options = WindowOptions(scale=window.scale or configuration.scale or None, size=_window_size(window.size))
     return run_window(lambda: _interactive(choice, what, "sdl", window), options)
+
+
+def _in_terminal(choice: PluginChoice, what: str, window: WindowChoice) -> int:
+    from layfigure import places
+    from layfigure_frontends.terminal.app import TerminalOptions, run
+
+    options = TerminalOptions(COLOURS[window.color], window.graphics, window.fps, places.state())
+    return run(lambda: _interactive(choice, what, "terminal", window), options)
 
 
 def _interactive(choice: PluginChoice, what: str, frontend: str, window: WindowChoice) -> Session:

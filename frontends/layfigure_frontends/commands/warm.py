@@ -9,21 +9,22 @@ from layfigure_frontends.opening import PluginChoice
 
 @click.command("warm")
 @click.option("--quiet", is_flag=True, help="Say nothing.")
-@click.option("--only", type=click.Choice(["drawing", "posing"]), default=None, help="Only what draws, or what poses.")
+@click.option("--only", type=click.Choice(["drawing", "posing", "terminal"]), help="Only a part.")
 def command(quiet: bool, only: str | None) -> int:
     """Compile the drawing and posing code now, so that the first start is quick (once per version and machine)."""
     from layfigure_frontends.opening import open_host
+    from layfigure_frontends.terminal.warm_step import STEP
     from layfigure_frontends.warming import steps
 
     host = open_host(PluginChoice())
     if quiet:
-        for _, work in steps(host, only or ""):
+        for _, work in steps(host, only or "", [STEP]):
             work()
         return 0
     from rich.progress import Progress
 
     with Progress(transient=True) as progress:
-        todo = list(steps(host, only or ""))
+        todo = list(steps(host, only or "", [STEP]))
         task = progress.add_task("Compiling", total=len(todo))
         for title, work in todo:
             progress.update(task, description=f"Compiling {title}")

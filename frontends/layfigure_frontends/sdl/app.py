@@ -104,7 +104,7 @@ class _Loop:
         session.clipboard_in = _system_clipboard
         self._caught = caught
         self._translator = Translator()
-        self._painted: tuple[int, int, int, float] | None = None
+        self._painted: tuple[int, Size] | None = None
         self._state = "sticks"
         self._warm_type = pygame.event.custom_type()
         self._warming = Warming(session.host, self._warmed)
@@ -162,7 +162,7 @@ class _Loop:
 
         width, height = self._window.surface.get_size()
         size = Size(width, height, self._window.scale)
-        now = (self._session.revision, *size)
+        now = (self._session.revision, size)
         if now == self._painted:
             return
         frame = self._session.frame(size)

@@ -10,7 +10,7 @@ import pygame
 from layfigure.drawing.render_list import Rectangle
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.fonts import Face, fitted, rendered, text_width
-from layfigure_frontends.sdl.theme import RGB, Theme
+from layfigure_frontends.theme import RGB, Theme
 
 KEY_HEIGHT = 18
 

@@ -8,7 +8,7 @@ from functools import cache, lru_cache
 import pygame
 
 from layfigure import resources
-from layfigure_frontends.sdl.theme import RGB
+from layfigure_frontends.theme import RGB
 
 
 class Face(Enum):

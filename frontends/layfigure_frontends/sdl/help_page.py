@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.frame import HelpOverlay, Size
-from layfigure.session.layout import STATUS
+from layfigure.session.metrics import PIXELS
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas
 
@@ -53,7 +53,7 @@ def paint_help(canvas: Canvas, overlay: HelpOverlay, size: Size) -> None:
     """Paint the page over the window, as many columns as it needs and the window holds."""
     pixels = canvas.pixels
     lines = help_lines(overlay)
-    bottom = size.height - pixels(STATUS)
+    bottom = size.height - pixels(PIXELS.status)
     edge = pixels(PADDING)
     most = max((size.width - 2 * edge) // (pixels(NARROW) + edge), 1)
     room = max((bottom - pixels(HEADING) - 2 * edge) // pixels(LINE), 4)

@@ -17,8 +17,8 @@ from layfigure_frontends.sdl.outlines import CARD_RADIUS, paint_outline
 from layfigure_frontends.sdl.overlays import paint_overlay
 from layfigure_frontends.sdl.signs import paint_lines, paint_signs
 from layfigure_frontends.sdl.status_bar import paint_status_bar
-from layfigure_frontends.sdl.theme import load_theme
 from layfigure_frontends.sdl.widgets import paint_widget
+from layfigure_frontends.theme import load_theme
 
 Draw = Callable[[Frame, Target], None]
 MASKS = (0xFF0000, 0xFF00, 0xFF, 0)

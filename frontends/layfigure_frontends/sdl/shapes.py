@@ -7,7 +7,7 @@ from functools import lru_cache
 import pygame
 
 from layfigure.drawing.render_list import Rectangle
-from layfigure_frontends.sdl.theme import RGB
+from layfigure_frontends.theme import RGB
 
 OVERSAMPLING = 4
 

@@ -12,7 +12,7 @@ import pygame
 
 from layfigure.session.frame import Frame
 from layfigure_frontends.sdl.canvas import Canvas
-from layfigure_frontends.sdl.theme import RGB
+from layfigure_frontends.theme import RGB
 
 OVERSAMPLING = 4
 SIDE = 17  # layout units

@@ -7,7 +7,7 @@ from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, L
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas, Type
 from layfigure_frontends.sdl.dials import paint_ball, paint_circle
-from layfigure_frontends.sdl.theme import RGB, Theme
+from layfigure_frontends.theme import RGB, Theme
 
 RADIUS = 6
 CAPTION = 18

@@ -28,8 +28,8 @@ from layfigure_frontends.sdl.help_page import HelpLine, columns, help_lines
 from layfigure_frontends.sdl.outlines import paint_outline
 from layfigure_frontends.sdl.painter import paint
 from layfigure_frontends.sdl.signs import paint_signs
-from layfigure_frontends.sdl.theme import Theme, load_theme
 from layfigure_frontends.sdl.widgets import paint_widget
+from layfigure_frontends.theme import Theme, load_theme
 
 BOX = Rectangle(60, 50, 150, 44)
 LONG = "Something that is much too long for where it stands"

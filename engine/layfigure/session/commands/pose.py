@@ -53,6 +53,18 @@ def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float,
     return (angles[0], angles[1], angles[2])
 
 
+def _angle(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
+    """Set one angle of a joint as ``set`` does all three."""
+    limb = one_limb(session, words, 0)
+    kind = one_of(words, 1, "degree of freedom", DOF_KINDS)
+    number(words, 2, f"the {kind} in degrees")
+    no_more(words, 3)
+    angles = [plain(angle) for angle in session.document.pose.angles[limb].tolist()]
+    angles[DOF_KINDS.index(kind)] = words[2]
+    _set(session, (words[0], *angles))
+    return words
+
+
 def _nudge(session: Session, words: tuple[str, ...]) -> None:
     kind = one_of(words, 0, "degree of freedom", DOF_KINDS)
     step = number(words, 1, "a number of degrees")
@@ -111,6 +123,7 @@ def pose_line(session: Session, pose: Pose) -> str:
 
 COMMANDS = (
     Command("set", "Set a joint's angles", _set, "LIMB FLEXION [PIVOT TWIST]", logged=True),
+    Command("angle", "Set one angle of a joint", _angle, "LIMB flexion|pivot|twist DEGREES", logged=True),
     Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist DEGREES"),
     Command("flip", "Mirror the pose", _flip, logged=True),
     Command("pose", "Set the whole pose from its packed form", _pose, "PACKED", logged=True),

@@ -9,7 +9,9 @@ import numpy as np
 
 from layfigure.drawing.camera import Camera, as_matrix, fixed_view
 from layfigure.drawing.render_list import PLAIN, RECOMMENDED, SMOOTH
+from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
+from layfigure.session.layout import three_views
 from layfigure.session.modes import Plain
 from layfigure.session.theme import theme_names
 from layfigure.session.words import no_more, number, one_of, required, switched
@@ -17,6 +19,8 @@ from layfigure.session.words import no_more, number, one_of, required, switched
 if TYPE_CHECKING:
     from layfigure.session.session import Session
 
+VIEWS = ("main", "right", "top")
+SEEN = {"main": "in the main view", "right": "from the right", "top": "from the top"}
 LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
 
 
@@ -96,6 +100,15 @@ def _skeleton(session: Session, words: tuple[str, ...]) -> None:
     session.say("The skeleton: drag a rectangle to let limbs change, with Shift to keep them." if on else "")
 
 
+def _next_view(session: Session, words: tuple[str, ...]) -> None:
+    no_more(words, 0)
+    if three_views(session.stage.size):
+        raise ImpossibleError("every pose is shown from three sides already")
+    shown = VIEWS[(VIEWS.index(session.view.shown) + 1) % len(VIEWS)]
+    session.view = replace(session.view, shown=shown, hover=None)
+    session.say(f"Every pose is shown {SEEN[shown]}.")
+
+
 def _frame(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     x, y, z = session.document.pose.translation.tolist()
@@ -105,6 +118,7 @@ def _frame(session: Session, words: tuple[str, ...]) -> None:
 COMMANDS = (
     Command("skeleton", "Show the skeleton and where limbs can go", _skeleton, "[on|off]"),
     Command("frame", "Bring the figure to the middle of the views", _frame),
+    Command("next-view", "Show every pose from the next side", _next_view),
     Command("view", "Go to a fixed view", _view, "front|right|left|back|top"),
     Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD"),
     Command("camera", "Set the camera", _camera, "R11…R33 ZOOM"),
