@@ -10,10 +10,13 @@ import numpy as np
 from layfigure.drawing.joint_kinds import kinds_shown
 from layfigure.drawing.render_list import Rectangle, Target
 from layfigure.session.frame import Frame, Outline, WorldLine
-from layfigure_frontends.terminal.cells import Grid
+from layfigure_frontends.terminal.cells import Grid, Ink
 from layfigure_frontends.terminal.depth import Depth
 from layfigure_frontends.terminal.paper import ROW, Paper, Tone, cells_of, packed
 from layfigure_frontends.theme import RGB, load_theme
+
+THUMBNAIL = 18  # columns: with few colours a narrower view of a candidate is drawn in braille
+FINER = 2  # braille dots to a half-block pixel, across and down
 
 
 class Drawer(Protocol):
@@ -43,12 +46,30 @@ def begin(frame: Frame, drawer: Drawer, depth: Depth) -> Paper:
     for outline in frame.outlines:
         _outline(paper, outline)
     paper.grid.put_picture(0, 0, pixels, kinds)
+    if kinds is not None:
+        _thumbnails(paper, frame, drawer)
     if paper.colourless:
         for outline in frame.outlines:
             _box(paper, outline)
         for line in frame.lines:
             _dots(paper, line)
     return paper
+
+
+def _thumbnails(paper: Paper, frame: Frame, drawer: Drawer) -> None:
+    """Draw views that are too small for half blocks in few colours anew in braille, in four times as many dots."""
+    small = [pane.rectangle for pane in frame.panes if pane.candidate >= 0 and pane.rectangle.width < THUMBNAIL]
+    if not small:
+        return
+    dots = np.zeros((paper.pixels.shape[0] * FINER, paper.pixels.shape[1] * FINER), np.uint32)
+    coded = np.zeros_like(dots)
+    drawer.draw(frame, Target(dots), enlarged=(FINER, FINER))
+    drawer.draw(frame, Target(coded), kinds=True, enlarged=(FINER, FINER))
+    kinds = kinds_shown(coded)
+    for x, y, width, height in small:
+        top, bottom = -(-y // ROW), (y + height) // ROW
+        part = slice(top * ROW * FINER, bottom * ROW * FINER), slice(x * FINER, (x + width) * FINER)
+        paper.grid.put_braille(x, top, dots[part], kinds[part], Ink(paper=packed(paper.theme.window)))
 
 
 def _outline(paper: Paper, outline: Outline) -> None:

@@ -43,6 +43,21 @@ def test_everything_stands_on_the_screen_and_text_on_whole_lines(session, size, 
     assert 0 <= column < size[0] and 0 <= row < size[1]
 
 
+@pytest.mark.parametrize("depth", [Depth.CLASSES_16, Depth.MONO])
+def test_with_few_colours_small_candidates_are_drawn_in_braille_and_large_ones_are_not(session, depth):
+    shown = {}
+    for size in ((80, 24), (200, 60)):
+        frame = session.frame(surface(*size))
+        glyphs = paint(frame, session, depth).grid.cells["glyph"]
+        box = next(pane.rectangle for pane in frame.panes if pane.candidate == 4 and pane.view == "main")
+        part = glyphs[box.y // 2 : (box.y + box.height) // 2, box.x : box.x + box.width]
+        shown[size] = int(((part > 0x2800) & (part < 0x2900)).sum())
+    assert shown[80, 24] >= 6 and shown[200, 60] == 0
+    frame = session.frame(surface(80, 24))
+    glyphs = paint(frame, session, Depth.TRUE).grid.cells["glyph"]
+    assert not ((glyphs > 0x2800) & (glyphs < 0x2900)).any()
+
+
 @pytest.mark.parametrize("size", [(160, 50), (100, 30), (80, 24)])
 def test_nothing_that_can_be_clicked_lies_over_anything_else(session, size):
     session.execute("use fk")
