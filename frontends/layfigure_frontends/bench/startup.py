@@ -15,6 +15,7 @@ from layfigure_frontends.bench.rows import Row, median_seconds
 
 PATIENCE = 60.0
 IDLE_SECONDS = 3.0
+SETTLING = 4.0  # what poses is still loaded after the first real picture
 
 
 def rows(quick: bool) -> list[Row]:
@@ -81,7 +82,7 @@ def _idle_percent(process: int) -> float:
         return int(fields[11]) + int(fields[12])
 
     try:
-        time.sleep(0.5)
+        time.sleep(SETTLING)
         before = ticks()
         time.sleep(IDLE_SECONDS)
         return (ticks() - before) / os.sysconf("SC_CLK_TCK") / IDLE_SECONDS * 100
