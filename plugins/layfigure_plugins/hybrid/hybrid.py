@@ -28,7 +28,7 @@ from layfigure.techniques.control_values import Value, checked_value
 from layfigure.techniques.solving import chain_of, vector
 from layfigure_plugins.hybrid.address import read_address, write_address
 from layfigure_plugins.hybrid.controls import CONTROLS
-from layfigure_plugins.hybrid.ends import chains_with, effectors, placed
+from layfigure_plugins.hybrid.ends import MOST_ENDS, chains_with, effectors, leaves, placed
 from layfigure_plugins.hybrid.page import Page, Pages, brought_back
 from layfigure_plugins.hybrid.plain_data import dumped, loaded
 from layfigure_plugins.hybrid.state import PAGES, HybridState, mutated, opening, remade
@@ -125,7 +125,11 @@ class Hybrid:
         if (state.chosen, state.aim, state.carries_root) != (shown.chosen, shown.aim, shown.root):
             ends = self._names(state) if state.chosen else "all ends"
             return f"Mutate moves {ends or 'the body'}"
-        return "" if state.chosen or state.locks else "all ends move; choose some, or lock what shall stay"
+        if state.chosen or state.locks:
+            return ""
+        count = len(leaves(self.figure))
+        moving = f"{MOST_ENDS} of {count} ends move" if count > MOST_ENDS else "all ends move"
+        return f"{moving}; choose some, or lock what shall stay"
 
     def _names(self, state: HybridState) -> str:
         names = [self.figure.names[limb] for limb in self._effectors(state)]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from layfigure.figures.figure import Figure
 from layfigure.figures.library import load_figure
 from layfigure.poses.locks import Band, Hold, Pin
-from layfigure_plugins.hybrid.ends import chains_with, effectors, leaves, reach, stretches
+from layfigure_plugins.hybrid.ends import MOST_ENDS, chains_with, effectors, leaves, reach, stretches
 
 
 def named(figure: Figure, limbs: object) -> list[str]:
@@ -69,3 +71,16 @@ def test_chains_are_split_where_they_meet(humanoid: Figure) -> None:
     arm, trunk = stretches(humanoid, ends[0], ends)
     assert (arm.ends, trunk.ends) == (ends[:1], ends)
     assert arm.length == pytest.approx(33 + 25 + 12)
+
+
+def test_of_very_many_ends_a_few_spread_evenly_move_unless_they_are_chosen(tmp_path) -> None:
+    rays = " ".join(
+        f"joint 0 0 0 ray{count} {{ 0 0 0 0 9 0 flexiondof -90 90 sphere 0 9 0 1 grey }}" for count in range(60)
+    )
+    (tmp_path / "star.fig").write_text(f"star {{ 0 0 0 0 0 0 {rays} }}")
+    star = load_figure(str(tmp_path / "star.fig"))
+    free = frozenset(star.movable)
+    moving = effectors(star, frozenset(), (), free)
+    assert len(leaves(star)) == 60 and len(moving) == MOST_ENDS and moving[0] == leaves(star)[0]
+    assert max(b - a for a, b in itertools.pairwise(moving)) <= 4
+    assert len(effectors(star, free, (), free)) == 60
