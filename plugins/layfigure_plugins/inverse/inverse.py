@@ -212,13 +212,13 @@ class Inverse:
         wanted = np.array(goal.position)
         tip = self._tip(state.pose, goal.limb)
         left = float(np.linalg.norm(wanted - tip))
+        whole = self._problem(state, goal, follow, 1.0)
         solution, stuck = Solution(state.pose, (left,), met=False, memory=state.memory), 0
         for _ in range(MOST_STRIDES):
             if left <= PRECISION * height or stuck > PATIENCE:
                 break
-            near = vector(tip + (wanted - tip) * min(1.0, stride / left))
-            problem = self._problem(state, replace(goal, position=near), follow, 1.0)
-            stepped = solver.step(solution.pose, problem, solution.memory)
+            near = PositionTask(goal.limb, vector(tip + (wanted - tip) * min(1.0, stride / left)))
+            stepped = solver.step(solution.pose, replace(whole, tasks=(near, *whole.tasks[1:])), solution.memory)
             pose = self._mended(state, stepped.pose, follow)
             tip = self._tip(pose, goal.limb)
             before, left = left, float(np.linalg.norm(wanted - tip))
