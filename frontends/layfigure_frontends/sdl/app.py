@@ -6,7 +6,7 @@ import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import pygame
 
@@ -14,49 +14,15 @@ from layfigure.errors import LayfigureError
 from layfigure_frontends.sdl.window import Window, WindowOptions, opened
 
 if TYPE_CHECKING:
-    from layfigure.drawing.render_list import Target
-    from layfigure.plugins.host import Host
-    from layfigure.session.events import Event
-    from layfigure.session.frame import Frame, Size
+    from layfigure.session.frame import Size
+    from layfigure_frontends.door import Door
 
-__all__ = ["Door", "WindowOptions", "run"]
+__all__ = ["WindowOptions", "run"]
 
 WAIT = 100  # milliseconds after which a signal is noticed at the latest
 REPEAT = (350, 40)
 RESIZED = (pygame.WINDOWSIZECHANGED, pygame.WINDOWEXPOSED, pygame.WINDOWDISPLAYCHANGED)
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
-
-
-class Door(Protocol):
-    """What the window needs of a session."""
-
-    running: bool
-    revision: int
-    clipboard_out: str | None
-    clipboard_in: Callable[[], str] | None
-    screenshot_request: Path | None
-    host: Host
-
-    def handle(self, event: Event) -> None:
-        """Take one event."""
-
-    def frame(self, size: Size) -> Frame:
-        """Return what to show."""
-
-    def draw(self, frame: Frame, target: Target) -> None:
-        """Draw the frame's views."""
-
-    def run(self, text: str) -> None:
-        """Run a command line."""
-
-    def say(self, sentence: str) -> None:
-        """Put a sentence into the status line."""
-
-    def kernels_ready(self) -> None:
-        """Hear that compiled renderers may be used."""
-
-    def close(self, *, interrupted: bool = False) -> None:
-        """End; an interrupted session is offered back at the next start."""
 
 
 def run(make_session: Callable[[], Door], options: WindowOptions) -> int:

@@ -15,7 +15,7 @@ from layfigure.errors import LayfigureError
 from layfigure_frontends.terminal.driver import Driver, ScreenSize, open_terminal
 
 if TYPE_CHECKING:
-    from layfigure_frontends.terminal.loop import Door
+    from layfigure_frontends.door import Door
 
 LEAST = ScreenSize(40, 12)
 FIRST_LINE = "\x1b[H\x1b[1m Layfigure\x1b[m"

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
-from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
-from layfigure.session.events import Event, KeyEvent, PointerEvent, chord
-from layfigure.session.frame import Frame, Size
+from layfigure.session.events import KeyEvent, PointerEvent, chord
 from layfigure_frontends.terminal.depth import Abilities, choose_depth, queries
 from layfigure_frontends.terminal.driver import Arrival, Driver
 from layfigure_frontends.terminal.modes import DISTINCT_KEYS
@@ -21,44 +18,9 @@ from layfigure_frontends.terminal.warm_step import STEP
 from layfigure_frontends.warming import Warming
 
 if TYPE_CHECKING:
-    from layfigure.drawing.render_list import Target
-    from layfigure.plugins.host import Host
+    from layfigure_frontends.door import Door
     from layfigure_frontends.terminal.app import TerminalOptions
     from layfigure_frontends.terminal.sequences import TerminalEvent
-
-
-class Door(Protocol):
-    """What the loop needs of a session."""
-
-    running: bool
-    revision: int
-    clipboard_out: str | None
-    clipboard_in: Callable[[], str] | None
-    screenshot_request: Path | None
-    host: Host
-
-    def handle(self, event: Event) -> None:
-        """Take one event."""
-
-    def frame(self, size: Size) -> Frame:
-        """Return what to show."""
-
-    def draw(
-        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
-    ) -> None:
-        """Draw the frame's views."""
-
-    def run(self, text: str) -> None:
-        """Run a command line."""
-
-    def say(self, sentence: str) -> None:
-        """Put a sentence into the status line."""
-
-    def kernels_ready(self) -> None:
-        """Hear that compiled renderers may be used."""
-
-    def close(self, *, interrupted: bool = False) -> None:
-        """End; an interrupted session is offered back at the next start."""
 
 
 class Loop:

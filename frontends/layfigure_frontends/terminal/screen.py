@@ -20,9 +20,9 @@ from layfigure_frontends.terminal.paper import ROW
 from layfigure_frontends.terminal.sharp import SharpViews
 
 if TYPE_CHECKING:
+    from layfigure_frontends.door import Door
     from layfigure_frontends.terminal.app import TerminalOptions
     from layfigure_frontends.terminal.driver import Driver
-    from layfigure_frontends.terminal.loop import Door
 
 
 class Screen:
