@@ -35,7 +35,7 @@ class Palette:
         return tuple(self.colours)
 
     def rgb(self, colour_names: Iterable[str]) -> NDArray[np.uint8]:
-        """Return (c, 3) uint8 for colour words in the order given, case-insensitive.
+        """Return (c, 3) uint8 for colour words, or ``#rrggbb``, in the order given, case-insensitive.
 
         Raises:
             LayfigureError: a word is unknown; the sentence names the nearest.
@@ -43,6 +43,8 @@ class Palette:
         return np.array([self._colour(word) for word in colour_names], dtype=np.uint8).reshape(-1, 3)
 
     def _colour(self, word: str) -> tuple[int, int, int]:
+        if _HEXADECIMAL.fullmatch(word):
+            return _components(word)
         try:
             return self.colours[word.casefold()]
         except KeyError:
@@ -83,5 +85,9 @@ def read_palette(path: Path) -> Palette:
 def _parse_colour(path: Path, word: str, text: object) -> tuple[int, int, int]:
     if not isinstance(text, str) or not _HEXADECIMAL.fullmatch(text):
         raise LayfigureError(f'{path}: the colour {word} is {text!r}; write it as "#rrggbb"')
+    return _components(text)
+
+
+def _components(text: str) -> tuple[int, int, int]:
     red, green, blue = bytes.fromhex(text[1:])
     return red, green, blue

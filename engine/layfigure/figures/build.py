@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from layfigure.errors import LayfigureError
-from layfigure.figures.definition import VOLUME_KINDS, Axis, JointDefinition, LimbDefinition, Vector, Volume
+from layfigure.figures.definition import (
+    EULER_KINDS,
+    VOLUME_KINDS,
+    Axis,
+    JointDefinition,
+    LimbDefinition,
+    Vector,
+    Volume,
+)
 from layfigure.figures.figure import Figure, FigureArrays, Limb, limb_limits
 
 MAXIMUM_LIMBS = 250
 MAXIMUM_VOLUMES = 250
 MAXIMUM_NAME = 80  # mirror prefixes included
+RIGHT_HANDED = np.array([1.0, 1.0, -1.0])  # what takes right-handed points to ours and back
 ROOT = "root"  # what pose files call limb 0, so no other limb may be called so
 
 
@@ -48,9 +57,15 @@ def build_figure(name: str, definition: LimbDefinition) -> Figure:
             message = f"the figure has more than {MAXIMUM_VOLUMES} volumes once mirrored; use fewer, larger ones"
             raise DefinitionError(item.source, message)
         expanded.append(item)
-    limbs = tuple(item.limb(index, indices) for index, item in enumerate(expanded))
-    colours = tuple(dict.fromkeys(volume.colour for limb in limbs for volume in limb.volumes))
-    return Figure(name, limbs, colours, _arrays(limbs, colours), definition, indices)
+    return assemble(name, (item.limb(index, indices) for index, item in enumerate(expanded)), definition)
+
+
+def assemble(name: str, limbs: Iterable[Limb], definition: LimbDefinition | None = None) -> Figure:
+    """Return the figure of finished limbs, parents first; their names are known to differ."""
+    every = tuple(limbs)
+    colours = tuple(dict.fromkeys(volume.colour for limb in every for volume in limb.volumes))
+    indices = {limb.name.casefold(): limb.index for limb in every}
+    return Figure(name, every, colours, _arrays(every, colours), definition, indices)
 
 
 def joint_frame(axis: Axis, flexion_axis: Axis) -> np.ndarray:
@@ -82,7 +97,8 @@ class _Expanded:
 
     def limb(self, index: int, indices: dict[str, int]) -> Limb:
         source, flip = self.source, self.reflection
-        frame = flip[:, None] * joint_frame(source.axis, source.flexion_axis)
+        euler = any(dof.kind in EULER_KINDS for dof in source.dofs)
+        frame = flip[:, None] * (np.eye(3) if euler else joint_frame(source.axis, source.flexion_axis))
         return Limb(
             index=index,
             name=self.name,
@@ -110,9 +126,9 @@ class _Pending:
 
 def _expand(root: LimbDefinition) -> Iterator[_Expanded]:
     """Yield limbs parents first, in file order, without recursion (a deep file must not exhaust the stack)."""
-    one = np.ones(3)
     count = 0
-    stack = [_Pending(JointDefinition((0.0, 0.0, 0.0), root), -1, "", "", one)]
+    handedness = RIGHT_HANDED if root.right_handed else np.ones(3)
+    stack = [_Pending(JointDefinition((0.0, 0.0, 0.0), root), -1, "", "", handedness)]
     while stack:
         pending = stack.pop()
         limb = pending.joint.limb
@@ -166,7 +182,8 @@ def _arrays(limbs: tuple[Limb, ...], colours: tuple[str, ...]) -> FigureArrays:
         begins=np.array([limb.begin for limb in limbs], dtype=np.float64),
         ends=np.array([limb.end for limb in limbs], dtype=np.float64),
         frames=np.array([limb.frame for limb in limbs], dtype=np.float64),
-        has_dof=np.array([[limb.dof(kind) is not None for kind in ("flexion", "pivot", "twist")] for limb in limbs]),
+        has_dof=np.array([[limb.dof(kind) is not None for kind in limb.kinds] for limb in limbs]),
+        euler=np.array([limb.euler for limb in limbs]),
         limits=np.array([limb_limits(limb) for limb in limbs], dtype=np.float64),
         volume_kinds=np.array([VOLUME_KINDS.index(volume.kind) for _, volume in volumes], dtype=np.int64),
         volume_limbs=np.array([index for index, _ in volumes], dtype=np.int64),

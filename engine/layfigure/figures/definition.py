@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 Vector = tuple[float, float, float]
 DOF_KINDS = ("flexion", "pivot", "twist")
+EULER_KINDS = ("x", "y", "z")  # of joints that turn about their axes one after the other (animation.md 1)
 VOLUME_KINDS = ("sphere", "cylinder", "cone", "cube")
 
 
@@ -45,7 +46,10 @@ class Volume:
 
 @dataclass(frozen=True)
 class LimbDefinition:
-    """One limb block: axes, segment, degrees of freedom, volumes and the joints placed on it, in file order."""
+    """One limb block: axes, segment, degrees of freedom, volumes and the joints placed on it, in file order.
+
+    ``right_handed`` stands in a root only: all points of the figure are right-handed, Z toward the viewer.
+    """
 
     name: str
     axis: Axis = Axis(1, 1)
@@ -55,6 +59,7 @@ class LimbDefinition:
     dofs: tuple[Dof, ...] = ()
     volumes: tuple[Volume, ...] = ()
     joints: tuple[JointDefinition, ...] = ()
+    right_handed: bool = False
 
 
 @dataclass(frozen=True)

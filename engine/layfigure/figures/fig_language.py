@@ -7,13 +7,16 @@
     statement = "axis" AXIS | "flexionaxis" AXIS                     x -x +x y -y +y z -z +z; defaults y and x
               | NUMBER x 6                                            begin and end of the limb
               | ("flexiondof" | "pivotdof" | "twistdof") MIN MAX      degrees
+              | ("xdof" | "ydof" | "zdof") MIN MAX                    degrees; of a joint that turns about its axes
+              | "handed" ("left" | "right")                           of all points of the figure, in its first limb
               | "sphere" x y z  radius COLOUR
               | "cylinder" x1 y1 z1  x2 y2 z2  radius COLOUR
               | "cone" x1 y1 z1  x2 y2 z2  radius COLOUR              base centre, tip, base radius
               | "cube" p0 p1 p2 p3 COLOUR                             a corner and its three neighbours
               | ["mirror" PREFIX PREFIX] "joint" x y z NAME block     joint position on the parent limb
 
-Words are separated by white space, case does not matter, ``#`` starts a comment. The parser is written by hand
+Words are separated by white space, case does not matter, ``#`` starts a comment. A colour is a word of the palette or
+``0xrrggbb``. The parser is written by hand
 because it runs before the first picture: a parser library's import and grammar cost 50 ms, a third of the time a
 window has to appear, this one 2 ms. It keeps its own stack and stops at the first count that no figure needs, so a
 hostile file can neither exhaust the stack nor the clock.
@@ -21,6 +24,7 @@ hostile file can neither exhaust the stack nor the clock.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,6 +34,7 @@ from layfigure.drawing.palette import load_palette
 from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_VOLUMES
 from layfigure.figures.definition import (
     DOF_KINDS,
+    EULER_KINDS,
     VOLUME_KINDS,
     Axis,
     Dof,
@@ -43,6 +48,7 @@ from layfigure.files.words import Word, WordReader
 
 MAXIMUM_NESTING = 100
 
+_RGB = re.compile("0x([0-9a-f]{6})")
 _AXES = {sign + letter: Axis(i, -1 if sign == "-" else 1) for sign in ("", "-", "+") for i, letter in enumerate("xyz")}
 _POINTS = {
     "sphere": ("its centre",),
@@ -50,8 +56,9 @@ _POINTS = {
     "cone": ("the centre of its base", "its tip"),
     "cube": ("its corner", "the corner's first neighbour", "its second neighbour", "its third neighbour"),
 }
-_DOF_WORDS = tuple(f"{kind}dof" for kind in DOF_KINDS)
-_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror")
+_DOF_WORDS = tuple(f"{kind}dof" for kind in (*DOF_KINDS, *EULER_KINDS))
+_LARGEST_TURN = 1e6  # degrees; hands of clocks go round and round
+_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed")
 
 
 class ParsedFigure(NamedTuple):
@@ -95,6 +102,7 @@ class _Block:
     dofs: list[Dof] = field(default_factory=list)
     volumes: list[Volume] = field(default_factory=list)
     joints: list[JointDefinition] = field(default_factory=list)
+    right_handed: bool = False
     seen: dict[str, Word] = field(default_factory=dict)
 
     def limb(self) -> LimbDefinition:
@@ -107,6 +115,7 @@ class _Block:
             tuple(self.dofs),
             tuple(self.volumes),
             tuple(self.joints),
+            self.right_handed,
         )
 
 
@@ -124,6 +133,7 @@ class _Parser:
             "flexionaxis": self._axis,
             "joint": self._joint,
             "mirror": self._mirrored_joint,
+            "handed": self._handed,
             **dict.fromkeys(_DOF_WORDS, self._dof),
             **dict.fromkeys(VOLUME_KINDS, self._volume),
         }
@@ -175,7 +185,7 @@ class _Parser:
 
     def _finished(self, block: _Block) -> LimbDefinition:
         same = block.axis.index == block.flexion_axis.index
-        if same and any(dof.kind != "twist" for dof in block.dofs):
+        if same and any(dof.kind in ("flexion", "pivot") for dof in block.dofs):
             later = max((block.seen[word] for word in ("axis", "flexionaxis") if word in block.seen), key=_offset)
             axes = f"axis {block.axis} and flexionaxis {block.flexion_axis}"
             self._words.fail(later, f'"{block.name}" swings, but its {axes} are one line; choose another flexionaxis')
@@ -197,6 +207,12 @@ class _Parser:
         else:
             block.flexion_axis = axis
 
+    def _handed(self, block: _Block, word: Word) -> None:
+        self._once(block, "handed", word)
+        if len(self._open) > 1:
+            self._words.fail(word, '"handed" goes for the whole figure; write it in the block of its first limb')
+        block.right_handed = self._words.one_of(("left", "right"), "the handedness of all points") == "right"
+
     def _segment(self, block: _Block, first: Word) -> None:
         self._once(block, "segment", first)
         self._words.put_back(first)
@@ -205,12 +221,17 @@ class _Parser:
 
     def _dof(self, block: _Block, word: Word) -> None:
         self._once(block, word.folded, word)
+        kind = word.folded.removesuffix("dof")
+        if block.dofs and (kind in EULER_KINDS) != (block.dofs[0].kind in EULER_KINDS):
+            message = f'"{block.name}" has a {block.dofs[0].kind}dof; a joint turns by flexion, pivot and twist'
+            self._words.fail(word, f"{message} or about x, y and z, not both")
+        widest = _LARGEST_TURN if kind in EULER_KINDS else 180.0
         low_word = self._words.peek()
-        low = self._words.number(f"the least angle (degrees) of this {word.folded}", 180.0)
-        high = self._words.number(f"the greatest angle (degrees) of this {word.folded}", 180.0)
+        low = self._words.number(f"the least angle (degrees) of this {word.folded}", widest)
+        high = self._words.number(f"the greatest angle (degrees) of this {word.folded}", widest)
         if low > high:
             self._words.fail(low_word, f"this {word.folded} goes from {low:g} to {high:g}; write the smaller one first")
-        block.dofs.append(Dof(word.folded.removesuffix("dof"), low, high))
+        block.dofs.append(Dof(kind, low, high))
 
     def _volume(self, block: _Block, word: Word) -> None:
         kind = word.folded
@@ -219,11 +240,18 @@ class _Parser:
             self._words.fail(word, f"this is volume {self._volumes}; a figure has up to {MAXIMUM_VOLUMES} volumes")
         points = tuple(self._point(f"{label} ({kind})") for label in _POINTS[kind])
         radius = 0.0 if kind == "cube" else self._radius(kind)
-        volume = Volume(kind, points, radius, self._words.one_of(load_palette().names, "a colour"))
+        volume = Volume(kind, points, radius, self._colour())
         flaw = flaw_of(volume)
         if flaw:
             self._words.fail(word, flaw)
         block.volumes.append(volume)
+
+    def _colour(self) -> str:
+        match = _RGB.fullmatch(self._words.peek().folded)
+        if match:
+            self._words.take()
+            return f"#{match.group(1)}"
+        return self._words.one_of(load_palette().names, "a colour")
 
     def _radius(self, kind: str) -> float:
         word = self._words.peek()

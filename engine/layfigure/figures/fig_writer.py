@@ -22,8 +22,10 @@ def _block(head: str, limb: LimbDefinition) -> Iterator[str]:
 
 
 def _statements(limb: LimbDefinition) -> Iterator[str]:
+    if limb.right_handed:
+        yield "handed right"
     yield f"axis {limb.axis}"
-    swings = any(dof.kind != "twist" for dof in limb.dofs)
+    swings = any(dof.kind in ("flexion", "pivot") for dof in limb.dofs)
     if swings or limb.flexion_axis != Axis(0, 1):
         yield f"flexionaxis {limb.flexion_axis}"
     yield _points((limb.begin, limb.end))
@@ -37,7 +39,11 @@ def _statements(limb: LimbDefinition) -> Iterator[str]:
 
 def _volume(volume: Volume) -> str:
     radius = "" if volume.kind == "cube" else f"  {_number(volume.radius)}"
-    return f"{volume.kind} {_points(volume.points)}{radius} {volume.colour}"
+    return f"{volume.kind} {_points(volume.points)}{radius} {_colour(volume.colour)}"
+
+
+def _colour(colour: str) -> str:
+    return f"0x{colour[1:]}" if colour.startswith("#") else colour  # "#" would begin a comment
 
 
 def _joint_head(joint: JointDefinition) -> str:

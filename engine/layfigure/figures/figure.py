@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
-from layfigure.figures.definition import DOF_KINDS, Dof, LimbDefinition, Volume
+from layfigure.figures.definition import DOF_KINDS, EULER_KINDS, Dof, LimbDefinition, Volume
 from layfigure.suggestions import did_you_mean
 
 Floats = NDArray[np.float64]
@@ -23,8 +23,10 @@ class Limb:
     """One limb of a built figure, mirrors expanded.
 
     ``frame`` is the (3, 3) signed permutation that takes canonical joint space (main axis +Y, flexion x, pivot z) to
-    limb coordinates (posing.md 1); its determinant is -1 for mirrored limbs. ``twin`` is the index of the mirror
-    twin, or the limb's own index.
+    limb coordinates (posing.md 1); its determinant is -1 for mirrored limbs. For a joint that turns about x, y and z
+    it is diagonal: it takes the space in which the angles are meant to limb coordinates. ``twin`` is the index of the
+    mirror twin, or the limb's own index. ``joint`` is what motions call the joint, in lower case; empty stands for the
+    limb's name.
     """
 
     index: int
@@ -37,6 +39,22 @@ class Limb:
     dofs: tuple[Dof, ...]
     volumes: tuple[Volume, ...]
     twin: int
+    joint: str = ""
+
+    @property
+    def euler(self) -> bool:
+        """Whether the joint turns about x, y and z rather than by flexion, pivot and twist."""
+        return any(dof.kind in EULER_KINDS for dof in self.dofs)
+
+    @property
+    def kinds(self) -> tuple[str, str, str]:
+        """What the three angles of the joint in a pose are called."""
+        return EULER_KINDS if self.euler else DOF_KINDS
+
+    @property
+    def joint_id(self) -> str:
+        """What motions call the joint, in lower case."""
+        return self.joint or self.name.casefold()
 
     @property
     def length(self) -> float:
@@ -70,7 +88,8 @@ class FigureArrays:
     begins: Floats  # (n, 3)
     ends: Floats  # (n, 3)
     frames: Floats  # (n, 3, 3)
-    has_dof: NDArray[np.bool_]  # (n, 3) flexion, pivot, twist
+    has_dof: NDArray[np.bool_]  # (n, 3) flexion, pivot, twist, or x, y, z
+    euler: NDArray[np.bool_]  # (n,) whether a joint's angles are x, y, z
     limits: Floats  # (n, 3, 2)
     volume_kinds: Integers  # (v,) index into VOLUME_KINDS
     volume_limbs: Integers  # (v,)
@@ -83,7 +102,8 @@ class FigureArrays:
 class Figure:
     """An articulated figure. Limb 0 is the root; ``limbs`` is parents-first in file order.
 
-    ``path`` is the file that a person's own figure came from, absolute; None for a shipped one.
+    ``path`` is the file that a person's own figure came from, absolute; None for a shipped one. ``definition`` is what
+    a file says of it; None for a figure that was put together limb by limb.
     Build one with :func:`layfigure.figures.build.build_figure` or load one with :mod:`layfigure.figures.library`.
     """
 
@@ -91,7 +111,7 @@ class Figure:
     limbs: tuple[Limb, ...]
     colours: tuple[str, ...]
     arrays: FigureArrays
-    definition: LimbDefinition
+    definition: LimbDefinition | None
     _indices: dict[str, int] = field(repr=False)
     path: Path | None = None
 
@@ -161,12 +181,12 @@ def limit_of(limb: Limb, kind: str) -> tuple[float, float]:
 
 
 def limb_limits(limb: Limb) -> list[tuple[float, float]]:
-    """Return the three (low, high) pairs of a limb in the order flexion, pivot, twist, in degrees."""
-    return [limit_of(limb, kind) for kind in DOF_KINDS]
+    """Return the three (low, high) pairs of a limb in the order of its kinds, in degrees."""
+    return [limit_of(limb, kind) for kind in limb.kinds]
 
 
 def limits_from(limb: Limb, angles: Sequence[float]) -> list[tuple[float, float]]:
-    """Return what flexion, pivot and twist may become where a joint stands at ``angles``, as (low, high) in degrees.
+    """Return what the three angles may become where a joint stands at ``angles``, as (low, high) in degrees.
 
     These are its limits, widened to where it stands: outside them it may come nearer but go no farther out. The root
     turns freely.

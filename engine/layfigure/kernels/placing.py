@@ -18,9 +18,10 @@ SPHERE, CYLINDER, CUBE = (VOLUME_KINDS.index(kind) for kind in ("sphere", "cylin
 #
 # ``limbs`` is a figure as rows of columns (LIMB_ROWS, w), limb j in column j, w the number of limbs n rounded up to
 # LANES: what is done to all joints alike then runs in whole vector registers, four times faster than joint by joint,
-# and faster than skipping the joints that cannot move. The last rows are room for a pose's angles and quaternions.
-PARENT, TURNS, JOINT, BEGIN, END, FRAME, ANGLES, QUATERNIONS = 0, 1, 4, 7, 10, 13, 22, 25
-LIMB_ROWS = 29
+# and faster than skipping the joints that cannot move. Then there is room for a pose's angles and quaternions. The last
+# row says which joints turn about x, y and z; its first column, the root's, whether there are any.
+PARENT, TURNS, JOINT, BEGIN, END, FRAME, ANGLES, QUATERNIONS, EULER = 0, 1, 4, 7, 10, 13, 22, 25, 29
+LIMB_ROWS = 30
 LANES = 8
 
 
@@ -46,6 +47,21 @@ def _sine_of_half(degrees: float) -> float:
 
 
 @jit
+def _turn_about_axes(limbs: Any, joints: int) -> None:
+    """Write the quaternions of the joints that turn about x, y and z over those written; see ``joints.about_axes``."""
+    for j in range(1, joints):
+        if limbs[29, j] == 0.0:
+            continue
+        x, y, z = np.radians(limbs[22, j]) / 2, np.radians(limbs[23, j]) / 2, np.radians(limbs[24, j]) / 2
+        cx, sx, cy, sy, cz, sz = np.cos(x), np.sin(x), np.cos(y), np.sin(y), np.cos(z), np.sin(z)
+        a, b, c = sx * cy * cz + cx * sy * sz, cx * sy * cz - sx * cy * sz, cx * cy * sz + sx * sy * cz
+        limbs[25, j] = cx * cy * cz - sx * sy * sz
+        limbs[26, j] = limbs[13, j] * a + limbs[14, j] * b + limbs[15, j] * c
+        limbs[27, j] = limbs[16, j] * a + limbs[17, j] * b + limbs[18, j] * c
+        limbs[28, j] = limbs[19, j] * a + limbs[20, j] * b + limbs[21, j] * c
+
+
+@jit
 def _turn_joints(limbs: Any, angles: Any) -> None:
     """Write every joint's quaternion, in limb coordinates, into its room in ``limbs``; see ``swing.rotations``."""
     for j in range(angles.shape[0]):
@@ -65,6 +81,8 @@ def _turn_joints(limbs: Any, angles: Any) -> None:
         limbs[26, j] = limbs[13, j] * a + limbs[14, j] * b + limbs[15, j] * c
         limbs[27, j] = limbs[16, j] * a + limbs[17, j] * b + limbs[18, j] * c
         limbs[28, j] = limbs[19, j] * a + limbs[20, j] * b + limbs[21, j] * c
+    if limbs[29, 0] != 0.0:
+        _turn_about_axes(limbs, angles.shape[0])
 
 
 @jit

@@ -71,4 +71,6 @@ def limb_table(figure: Figure) -> Floats:
     rows[placing.BEGIN : placing.END] = arrays.begins.T
     rows[placing.END : placing.FRAME] = arrays.ends.T
     rows[placing.FRAME : placing.ANGLES] = np.rint(arrays.frames * determinants).reshape(count, 9).T
+    rows[placing.EULER] = arrays.euler
+    rows[placing.EULER, 0] = arrays.euler.any()
     return table

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.swing import rotations
+from layfigure.kinematics.joints import rotations
 from layfigure.poses.pose import Pose
 
 Floats = NDArray[np.float64]
@@ -30,11 +30,12 @@ def place(figure: Figure, angles: Floats, translations: Floats) -> Placement:
 
     Args:
         figure: the figure with n limbs.
-        angles: (..., n, 3) flexion, pivot, twist in degrees; values of missing degrees of freedom turn nothing.
+        angles: (..., n, 3) flexion, pivot, twist, or x, y, z, in degrees; values of missing degrees of freedom turn
+            nothing.
         translations: (..., 3) root translation in figure units.
     """
     arrays = figure.arrays
-    turning = rotations(np.where(turns(figure), angles, 0.0))
+    turning = rotations(np.where(turns(figure), angles, 0.0), arrays.euler)
     local = arrays.frames @ turning @ np.swapaxes(arrays.frames, -1, -2)
     limb_to_world = np.empty_like(local)
     origins = np.empty((*local.shape[:-2], 3))

@@ -38,6 +38,6 @@ def whole_units(figure: Figure, pose: Pose) -> tuple[NDArray[np.int64], NDArray[
     return np.rint(pose.translation * UNITS).astype(np.int64), np.rint(pose.angles * UNITS).astype(np.int64)
 
 
-def pose_of_units(translation: NDArray[np.int64], angles: NDArray[np.int64]) -> Pose:
+def pose_of_units(figure: Figure, translation: NDArray[np.int64], angles: NDArray[np.int64]) -> Pose:
     """Return the pose of whole millionths: the inverse of :func:`whole_units`."""
-    return Pose.of(angles / UNITS, translation / UNITS)
+    return Pose.of(angles / UNITS, translation / UNITS, figure.arrays.euler)

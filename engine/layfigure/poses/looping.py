@@ -26,4 +26,4 @@ def looped(poses: Sequence[Pose], steps: int) -> tuple[Pose, ...]:
 def between(a: Pose, b: Pose, share: float) -> Pose:
     """Return the pose that lies ``share`` of the way from ``a`` to ``b``, angle by angle."""
     angles = a.angles + share * (b.angles - a.angles)
-    return Pose.of(angles, a.translation + share * (b.translation - a.translation))
+    return a.with_angles(angles, a.translation + share * (b.translation - a.translation))

@@ -50,7 +50,7 @@ def unpack_pose(figure: Figure, token: str) -> Pose:
         raise LayfigureError(f"the packed pose holds {len(numbers)} numbers, but {figure.name} needs {count}")
     angles = np.zeros(exists.shape, dtype=np.int64)
     angles[exists] = numbers[3:]
-    pose = pose_of_units(np.array(numbers[:3], dtype=np.int64), angles)
+    pose = pose_of_units(figure, np.array(numbers[:3], dtype=np.int64), angles)
     if pack_pose(figure, pose) != token:
         raise LayfigureError("the packed pose holds angles that no pose has; copy it again from where it came")
     return pose

@@ -154,7 +154,7 @@ class _Reader:
             if limb == 0:
                 translation[:] = [self._words.number(f"{axis} of the root", MAXIMUM_DISTANCE) for axis in "xyz"]
             angles[limb] = self._angles(figure, limb)
-        return figure, Pose.of(angles, translation), tuple(sorted(seen))
+        return figure, Pose.of(angles, translation, figure.arrays.euler), tuple(sorted(seen))
 
     def _next_line(self) -> Word | None:
         """Return the first word of the next line that has one, or None at the end."""

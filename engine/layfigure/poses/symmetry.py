@@ -21,7 +21,7 @@ def flipped(figure: Figure, pose: Pose) -> Pose:
     the signs of its angles changed. The root keeps its place with x negated.
     """
     partners, signs = mirror_map(figure)
-    return Pose.of(pose.angles[partners] * signs, pose.translation * [-1.0, 1.0, 1.0])
+    return pose.with_angles(pose.angles[partners] * signs, pose.translation * [-1.0, 1.0, 1.0])
 
 
 def mirrored_joints(figure: Figure, pose: Pose, limbs: Iterable[int]) -> tuple[Pose, tuple[int, ...]]:
@@ -64,7 +64,8 @@ def mirror_map(figure: Figure) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
         partner = _partner(figure, limb.index, partners)
         partners.append(partner)
         s = np.diag(frames[limb.index].T @ _MIRROR @ frames[partner])
-        signs[limb.index] = (s[0] * s[1], s[1] * s[2], s[0] * s[2])
+        about = (s[1] * s[2], s[0] * s[2], s[0] * s[1])  # what becomes of turns about x, y and z
+        signs[limb.index] = about if limb.euler else (about[2], about[0], about[1])
     images = np.array(partners)
     images.flags.writeable = signs.flags.writeable = False
     return images, signs

@@ -32,7 +32,7 @@ def is_pose_of(pose: object, figure: Figure) -> TypeGuard[Pose]:
 
 def is_committed(pose: Pose) -> bool:
     """Whether a finite pose is canonical and rounded, so that it reads back exactly from a file."""
-    return Pose.of(pose.angles, pose.translation) == pose
+    return pose.with_angles(pose.angles) == pose
 
 
 def misfit(offer: object) -> str:

@@ -45,7 +45,7 @@ def legal_pose(figure: Figure, chance: np.random.Generator, share: float = 1.0) 
     fits = (angles[:, :2] * 179.0 / np.maximum(swing, 179.0) >= low[:, :2]).all(axis=1)
     angles[:, :2] *= np.where(fits[:, None], 179.0 / np.maximum(swing, 179.0), 1.0)
     angles[0] = chance.uniform(-20.0, 20.0, 3)
-    return Pose.of(angles, chance.uniform(-0.1, 0.1, 3) * body_height(figure))
+    return Pose.of(angles, chance.uniform(-0.1, 0.1, 3) * body_height(figure), figure.arrays.euler)
 
 
 def outside_limits(figure: Figure, pose: Pose) -> NDArray[np.bool_]:

@@ -128,7 +128,7 @@ class Subject:
         self.require(pose.angles.shape == shape, f"{source} gives a pose of {len(pose.angles)} limbs, not {shape[0]}")
         finite = np.isfinite(pose.angles).all() and np.isfinite(pose.translation).all()
         self.require(bool(finite), f"{source} gives a pose with numbers that are not finite")
-        self.require(Pose.of(pose.angles, pose.translation) == pose, f"{source} gives a pose that Pose.of did not make")
+        self.require(pose.with_angles(pose.angles) == pose, f"{source} gives a pose that Pose.of did not make")
 
     def _check_offer(self, offer: Offer) -> None:
         for number, pose in enumerate(offer.candidates, start=1):

@@ -63,7 +63,7 @@ def _rest_dof(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
         raise ImpossibleError(f"the {listed_limbs(figure, named)} has no {kind}")
     angles = pose.angles.copy()
     angles[list(chosen), column] = 0.0
-    session.set_pose(f"{kind} to rest", PoseSet(Pose.of(angles, pose.translation), limbs=chosen))
+    session.set_pose(f"{kind} to rest", PoseSet(pose.with_angles(angles), limbs=chosen))
     session.say(f"{kind.capitalize()} back to rest: {listed_limbs(figure, chosen)}.")
     return (kind, *(figure.names[limb] for limb in chosen))
 

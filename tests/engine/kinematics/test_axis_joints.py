@@ -1,0 +1,133 @@
+"""Joints that turn about x, y and z: matrices, extraction, forward kinematics in both forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from layfigure.figures.fig_language import parse_fig
+from layfigure.figures.fig_writer import write_fig
+from layfigure.figures.figure import Figure
+from layfigure.figures.library import read_figure
+from layfigure.kinematics.forward import limb_ends, place_pose
+from layfigure.kinematics.joints import about_axes, nearest_axis_angles
+from layfigure.poses.pose import Pose
+from layfigure.poses.symmetry import flipped
+
+FIG = """trunk {
+  HANDED
+  0 0 0  0 20 0
+  mirror right left joint -8 20 0 arm {
+    axis x
+    0 0 0  -10 -3 1
+    xdof -90 90
+    ydof -80 80
+    zdof -720 720
+    sphere -5 0 0 2 0x8c6633
+    joint -10 -3 1 hand { axis -y flexionaxis -x 0 0 0 0 -6 2 flexiondof -45 45 twistdof -30 30 }
+  }
+  joint 0 20 0 head { 0 0 0 0 5 1 xdof -30 30 }
+}"""
+WIDE = [(-1e6, 1e6)] * 3
+angle = st.floats(-180, 180, allow_nan=False)
+
+
+def figure(handed: str = "left") -> Figure:
+    return read_figure("trunk", FIG.replace("HANDED", f"handed {handed}"), "trunk.fig")
+
+
+def turned(axis: int, degrees: float) -> np.ndarray:
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    answer = np.eye(3)
+    answer[i, i], answer[i, j], answer[j, i], answer[j, j] = c, -s, s, c
+    return answer
+
+
+@given(angle, angle, angle)
+def test_x_is_outermost(x: float, y: float, z: float) -> None:
+    assert np.allclose(about_axes([x, y, z]), turned(0, x) @ turned(1, y) @ turned(2, z), atol=1e-12)
+
+
+@given(angle, angle, angle, st.sampled_from([-90.0, 90.0, None]))
+def test_angles_of_a_rotation_give_it_back(x: float, y: float, z: float, pole: float | None) -> None:
+    rotation = about_axes([x, y if pole is None else pole, z])
+    found = nearest_axis_angles(rotation, (x, y, z), WIDE)
+    assert np.allclose(about_axes(found), rotation, atol=1e-6)
+
+
+@given(angle, st.floats(-89, 89), angle)
+def test_the_triple_nearest_to_what_was_there_is_found(x: float, y: float, z: float) -> None:
+    near = (x + 3, y - 2, z + 4)
+    assert np.allclose(nearest_axis_angles(about_axes([x, y, z]), near, WIDE), (x, y, z), atol=1e-6)
+
+
+def test_the_triple_inside_the_limits_is_preferred_to_a_nearer_one() -> None:
+    rotation = about_axes([100, 120, 10])
+    assert np.allclose(nearest_axis_angles(rotation, (-80, 60, -170), [(90, 110), (100, 130), (0, 20)]), (100, 120, 10))
+
+
+def test_whole_turns_bring_an_angle_into_its_limits() -> None:
+    found = nearest_axis_angles(about_axes([0, 0, 30]), (0, 0, 700), [(0, 0), (0, 0), (0, 720)])
+    assert np.allclose(found, (0, 0, 750 - 360)) or np.allclose(found, (0, 0, 720 - 330))
+
+
+def random_pose(it: Figure, seed: int) -> Pose:
+    chance = np.random.default_rng(seed)
+    angles = chance.uniform(-60, 60, (len(it.limbs), 3)) * it.arrays.has_dof
+    return Pose.of(angles, chance.uniform(-5, 5, 3), it.arrays.euler)
+
+
+@pytest.mark.parametrize("handed", ["left", "right"])
+@given(st.integers(0, 2**32 - 1))
+def test_machine_code_places_as_the_reference_does(handed: str, seed: int) -> None:
+    from layfigure.kinematics.compiled_forward import ForwardKinematics
+
+    it = figure(handed)
+    pose = random_pose(it, seed)
+    reference, placed = place_pose(it, pose), ForwardKinematics(it).place(pose)
+    assert np.allclose(placed.limb_to_world, reference.limb_to_world, atol=1e-12)
+    assert np.allclose(placed.origins, reference.origins, atol=1e-9)
+
+
+def test_equal_angles_of_twins_look_symmetric() -> None:
+    it = figure()
+    angles = np.zeros((len(it.limbs), 3))
+    angles[[it.index("rightarm"), it.index("leftarm")]] = (20, -35, 50)
+    tips = limb_ends(it, place_pose(it, Pose.of(angles, euler=it.arrays.euler)))
+    assert np.allclose(tips[it.index("righthand")] * [-1, 1, 1], tips[it.index("lefthand")])
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_a_flipped_pose_is_the_mirror_image(seed: int) -> None:
+    it = figure()
+    pose = random_pose(it, seed)
+    angles = pose.angles.copy()
+    angles[0] = 0
+    pose = pose.with_angles(angles)
+    here, there = (limb_ends(it, place_pose(it, p)) for p in (pose, flipped(it, pose)))
+    assert np.allclose(here[it.index("righthand")] * [-1, 1, 1], there[it.index("lefthand")], atol=1e-5)
+    assert np.allclose(here[it.index("head")] * [-1, 1, 1], there[it.index("head")], atol=1e-5)
+    assert flipped(it, flipped(it, pose)) == pose
+
+
+def test_a_right_handed_figure_turns_by_the_right_hand_rule_seen_from_its_own_space() -> None:
+    it = figure("right")
+    pose = Pose.rest(it).with_joint(it.index("head"), 30, 0, 0)
+    tip = limb_ends(it, place_pose(it, pose))[it.index("head")] * [1, 1, -1]
+    assert np.allclose(tip, np.array([0, 20, 0]) + turned(0, 30) @ [0, 5, 1])
+
+
+def test_a_joint_may_turn_twice_round() -> None:
+    it = figure()
+    pose = Pose.rest(it).with_joint(it.index("rightarm"), 0, 0, 720)
+    assert pose.angles[it.index("rightarm"), 2] == 720
+    assert np.allclose(place_pose(it, pose).origins, place_pose(it, Pose.rest(it)).origins)
+
+
+def test_the_language_says_it_back() -> None:
+    definition = parse_fig(FIG.replace("HANDED", "handed right"), "trunk.fig")
+    assert parse_fig(write_fig(definition), "again") == definition
+    assert figure().colours == ("#8c6633",)
