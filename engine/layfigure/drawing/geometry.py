@@ -39,16 +39,25 @@ def measure(figure: Figure, poses: Sequence[Pose], shots: Floats) -> Geometry:
     count = len(figure.limbs)
     angles = np.array([pose.angles for pose in poses], dtype=np.float64).reshape(-1, count, 3)
     translations = np.array([pose.translation for pose in poses], dtype=np.float64).reshape(-1, 3)
+    return measure_batch(figure, angles, translations, shots, frame_row(figure))
+
+
+def measure_batch(figure: Figure, angles: Floats, translations: Floats, shots: Floats, frame: Floats) -> Geometry:
+    """Return the geometry of shots of p poses given as (p, n, 3) degrees and (p, 3) units, C-contiguous.
+
+    ``frame`` (4,) is what a shot with zoom 1 shows: a point relative to its anchor in the middle, and the world units
+    from there to the nearer edge.
+    """
     work = in_machine_code if compiled.loaded() else in_numpy
-    return work(figure, angles, translations, shots)
+    return work(figure, angles, translations, shots, frame)
 
 
-def in_machine_code(figure: Figure, angles: Floats, translations: Floats, shots: Floats) -> Geometry:
-    """Return the geometry of p poses given as (p, n, 3) degrees and (p, 3) units, from one call of a kernel."""
+def in_machine_code(figure: Figure, angles: Floats, translations: Floats, shots: Floats, frame: Floats) -> Geometry:
+    """Return :func:`measure_batch` from one call of a kernel."""
     from layfigure import kernels
     from layfigure.kinematics.compiled_forward import limb_table
 
-    volumes, frame = _volume_table(figure), _frame_row(figure)
+    volumes = _volume_table(figure)
     m, v, n = len(shots), len(volumes), len(figure.limbs)
     answer = Geometry(
         scales=np.empty(m, dtype=np.float32),
@@ -61,8 +70,8 @@ def in_machine_code(figure: Figure, angles: Floats, translations: Floats, shots:
     return answer
 
 
-def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats) -> Geometry:
-    """Return the same as :func:`in_machine_code` without machine code: the reference, and the first moments."""
+def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats, frame: Floats) -> Geometry:
+    """Return :func:`measure_batch` without machine code: the reference, and the first moments."""
     placement = place(figure, angles, translations)
     points = volume_points(figure, placement)
     segments = np.stack([limb_begins(figure, placement), limb_ends(figure, placement)], axis=-2)
@@ -70,7 +79,7 @@ def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats
     grounds = translations.copy()
     grounds[:, 1] = heights.min(axis=-1)
     pose = shots[:, 0].astype(np.int64)
-    scales, lenses, shifts = _lenses(figure, shots)
+    scales, lenses, shifts = _lenses(shots, frame)
     radii = scales[:, None] * figure.arrays.volume_radii
     return Geometry(
         scales.astype(np.float32),
@@ -83,20 +92,24 @@ def in_numpy(figure: Figure, angles: Floats, translations: Floats, shots: Floats
 
 def to_pixels(figure: Figure, shot: Floats, points: Floats) -> Floats:
     """Return world points (..., 3) in the pixels of one shot, a row (1, 18) as :func:`measure` takes."""
-    _, lenses, shifts = _lenses(figure, shot)
+    return to_pixels_framed(frame_row(figure), shot, points)
+
+
+def to_pixels_framed(frame: Floats, shot: Floats, points: Floats) -> Floats:
+    """Return world points (..., 3) in the pixels of one shot (1, 18) with the ``frame`` of :func:`measure_batch`."""
+    _, lenses, shifts = _lenses(shot, frame)
     return np.asarray(_project(lenses, shifts, points[None])[0])
 
 
 def from_pixels(figure: Figure, shot: Floats, pixels: Floats) -> Floats:
     """Return the world points (..., 3) at ``pixels`` (..., 3) of one shot: the inverse of :func:`to_pixels`."""
-    scales, lenses, shifts = _lenses(figure, shot)
+    scales, lenses, shifts = _lenses(shot, frame_row(figure))
     back = lenses[0] / scales[0] ** 2  # a lens is a rotation (mirrored downwards) times the scale
     return np.asarray((pixels - shifts[0]) @ back)
 
 
-def _lenses(figure: Figure, shots: Floats) -> tuple[Floats, Floats, Floats]:
+def _lenses(shots: Floats, frame: Floats) -> tuple[Floats, Floats, Floats]:
     """Return pixels per unit (m,), and world to pixels as matrices (m, 3, 3) and shifts (m, 3)."""
-    frame = _frame_row(figure)
     scales = shots[:, 3:5].min(axis=1) / 2 / frame[3] * shots[:, 5]
     lenses = shots[:, 6:15].reshape(-1, 3, 3) * _DOWN[:, None] * scales[:, None, None]
     shifts = -np.einsum("mij,mj->mi", lenses, shots[:, 15:] + frame[:3])
@@ -110,7 +123,7 @@ def _project(lenses: Floats, shifts: Floats, points: Floats) -> Floats:
     return np.asarray((flat @ np.swapaxes(lenses, -1, -2) + shifts[:, None]).reshape(points.shape))
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=256)
 def _volume_table(figure: Figure) -> Floats:
     """Return a figure's volumes as :mod:`layfigure.kernels.placing` wants them (v, 15)."""
     arrays = figure.arrays
@@ -119,6 +132,7 @@ def _volume_table(figure: Figure) -> Floats:
 
 
 @lru_cache(maxsize=16)
-def _frame_row(figure: Figure) -> Floats:
+def frame_row(figure: Figure) -> Floats:
+    """Return a figure's own framing as :func:`measure_batch` takes it (4,)."""
     frame = framing(figure)
     return np.array([*frame.centre, frame.half_extent])

@@ -80,6 +80,8 @@ class RenderList:
         segment_parts: (s,) uint8 limb index.
         segment_colours: (s,) uint8 index into ``palette``: the limb's first colour, or an ancestor's.
         segment_styles: (s,) uint8 :class:`Style`.
+        grids: (m, 3) float32 pixel-space point on the ground where two lines of a grid cross, so that a grid can stay
+            where it is while a camera moves; none, (0, 3), stands for the grounds.
     """
 
     rectangles: NDArray[np.int32]
@@ -100,6 +102,7 @@ class RenderList:
     segment_parts: NDArray[np.uint8] = field(default_factory=_no_bytes)
     segment_colours: NDArray[np.uint8] = field(default_factory=_no_bytes)
     segment_styles: NDArray[np.uint8] = field(default_factory=_no_bytes)
+    grids: NDArray[np.float32] = field(default_factory=lambda: np.zeros((0, 3), dtype=np.float32))
 
 
 @dataclass(frozen=True)

@@ -60,7 +60,7 @@ def build_render_list(figure: Figure, poses: Sequence[Pose], shots: Sequence[Sho
     geometry = measure(figure, poses, table)
     views, poses_seen = len(shots), table[:, 0].astype(np.int64)
     limbs = figure.arrays.volume_limbs
-    kinds, parts, colours, segment_parts, segment_colours = _repeated(figure, views)
+    kinds, parts, colours, segment_parts, segment_colours = repeated_columns(figure, views)
     styles = np.asarray(colouring.styles, dtype=np.uint8).reshape(-1, len(figure.limbs))[poses_seen]
     thin = (styles == Style.STICK) | np.isin(poses_seen, list(colouring.thin))[:, None]
     if thin.any():
@@ -103,8 +103,8 @@ def _slices(views: int, size: int) -> NDArray[np.int32]:
     return np.stack([first, first + np.int32(size)], axis=1)
 
 
-@lru_cache(maxsize=64)
-def _repeated(figure: Figure, views: int) -> tuple[Bytes, ...]:
+@lru_cache(maxsize=256)
+def repeated_columns(figure: Figure, views: int) -> tuple[Bytes, ...]:
     """Return what every view of a figure repeats: the volumes' kinds, parts, colours; the segments' parts, colours."""
     arrays = figure.arrays
     rows = (

@@ -55,7 +55,7 @@ class ForwardKinematics:
         return tips
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=256)
 def limb_table(figure: Figure) -> Floats:
     """Return a figure's limbs as :mod:`layfigure.kernels.placing` wants them, (LIMB_ROWS, w).
 

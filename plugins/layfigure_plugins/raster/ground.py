@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.drawing.render_list import Look, RenderList
+from layfigure_plugins.raster.kernels.backdrop import PLANE
 
 Floats = NDArray[np.float64]
 
@@ -15,6 +16,7 @@ Floats = NDArray[np.float64]
 # stand before or behind the root would part from their feet.
 LEAST_PITCH = np.sin(np.radians(5.0))
 POOL_RADIUS = 0.72  # of a view's smaller side: how far the lit floor reaches
+POOL_WIDTH = 0.55  # of a view's width: how far it reaches at least, so that a row of figures stands on it
 CELLS_ACROSS = 6.0  # about so many grid cells fit a view
 DARKEST = 0.75  # what a full shadow takes off the floor
 
@@ -40,7 +42,7 @@ def set_stage(render_list: RenderList, look: Look) -> Stage:
     gradients = np.minimum(gradients, 255.0)
     tints = np.empty((views, 2, 3), dtype=np.float32)
     if not floor:
-        return Stage(frames, gradients, np.empty((0, 14)), tints, 0.0)
+        return Stage(frames, gradients, np.empty((0, PLANE)), tints, 0.0)
     light = 255.0 - background
     headroom = 255.0 - gradients.max(axis=1)  # the kernel adds tints unchecked: beyond 255 they would run into red
     tints[:, 0] = np.minimum(0.075 * light + 0.03 * background, headroom)
@@ -51,13 +53,14 @@ def set_stage(render_list: RenderList, look: Look) -> Stage:
 
 
 def _planes(render_list: RenderList) -> Floats:
-    """Return (m, 14): the floor's axes on screen in pixel space (x right, y down, z away).
+    """Return (m, PLANE): the floor's axes on screen in pixel space (x right, y down, z away).
 
     Columns: anchor x, y, z; across x, y and rise x, y (unit directions on screen along and up the floor); the apparent
     foreshortening of the rise; length of the world's up on screen and its share away from the viewer; grid cells per
-    pixel; cosine and sine of the world's X axis within the floor; radius of the lit floor in pixels.
+    pixel; cosine and sine of the world's X axis within the floor; radius of the lit floor in pixels; where the grid's
+    lines cross, in cells from the anchor.
     """
-    planes = np.empty((len(render_list.rectangles), 14))
+    planes = np.empty((len(render_list.rectangles), PLANE))
     up = render_list.rotations[:, :, 1] * np.array([1.0, -1.0, 1.0])
     east = render_list.rotations[:, :, 0] * np.array([1.0, -1.0, 1.0])
     length = np.hypot(up[:, 0], up[:, 1])
@@ -73,8 +76,21 @@ def _planes(render_list: RenderList) -> Floats:
     cosine = east[:, 0] * planes[:, 3] + east[:, 1] * planes[:, 4]
     sine = (east[:, 0] * rise_x + east[:, 1] * rise_y) * -up[:, 2] + east[:, 2] * length
     planes[:, 11], planes[:, 12] = cosine, sine
-    planes[:, 13] = POOL_RADIUS * side
+    planes[:, 13] = np.maximum(POOL_RADIUS * side, POOL_WIDTH * render_list.rectangles[:, 2])
+    planes[:, 14:] = _grid_phases(render_list, planes)
     return planes
+
+
+def _grid_phases(render_list: RenderList, planes: Floats) -> Floats:
+    """Return where lines of the grid cross, (m, 2) cells 0..1 along the world's X and Z from the anchor."""
+    if not len(render_list.grids):
+        return np.zeros((len(planes), 2))
+    x, y, z = (render_list.grids.astype(np.float64) - planes[:, :3]).T
+    across = x * planes[:, 3] + y * planes[:, 4]
+    away = (x * planes[:, 5] + y * planes[:, 6]) * -planes[:, 9] + z * planes[:, 8]
+    cosine, sine = planes[:, 11], planes[:, 12]
+    cells = np.stack([cosine * across + sine * away, cosine * away - sine * across], axis=1) * planes[:, 10:11]
+    return np.asarray(cells % 1.0)
 
 
 def _grid_step(wanted: Floats) -> Floats:

@@ -5,7 +5,7 @@ import pytest
 
 from layfigure import compiled
 from layfigure.drawing.camera import Camera, fixed_view
-from layfigure.drawing.geometry import in_machine_code, in_numpy
+from layfigure.drawing.geometry import frame_row, in_machine_code, in_numpy
 from layfigure.drawing.palette import load_palette
 from layfigure.drawing.picking import limbs_inside, pick
 from layfigure.drawing.render_list import Rectangle
@@ -33,10 +33,10 @@ def test_machine_code_and_numpy_place_everything_alike(view):
     poses = [random_pose(seed) for seed in range(3)]
     table = shot_rows([Shot(i, BOX, fixed_view(view)) for i in range(3)], poses)
     angles, moved = np.array([p.angles for p in poses]), np.array([p.translation for p in poses])
-    for ours, reference in zip(
-        in_machine_code(HUMANOID, angles, moved, table), in_numpy(HUMANOID, angles, moved, table), strict=True
-    ):
-        np.testing.assert_allclose(ours, reference, atol=2e-4)
+    for frame in (frame_row(HUMANOID), np.array([3.0, -7.0, 2.0, 55.0])):
+        task = HUMANOID, angles, moved, table, frame
+        for ours, reference in zip(in_machine_code(*task), in_numpy(*task), strict=True):
+            np.testing.assert_allclose(ours, reference, atol=5e-4)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -20,6 +20,7 @@ from layfigure_plugins.raster.kernels import jit, read_only
 
 f = np.float32
 SPHERE, CYLINDER, CONE, CUBE = 0, 1, 2, 3
+PLANE = 16  # columns that describe a floor
 _BAND = 1 << 16  # floats of shadow at a time
 _SPREAD = 0.42  # how much wider a blob is per pixel above the floor
 _FADE = 0.75  # how much height, in radii, takes from a blob's weight
@@ -94,8 +95,9 @@ def _cast(kinds: Any, points: Any, radii: Any, plane: Any, blobs: Any) -> int:
                 continue
             radius = 1.5 * thickness + _SPREAD * height
             flat = max(squash, _SOFTEST / radius)
-            blobs[count, 0] = plane[0] + across * ax + away * squash * rx
-            blobs[count, 1] = plane[1] + across * ay + away * squash * ry
+            rise = away * -lift  # as the figures are seen, which are not tilted: shadows stay under their feet
+            blobs[count, 0] = plane[0] + across * ax + rise * rx
+            blobs[count, 1] = plane[1] + across * ay + rise * ry
             blobs[count, 2], blobs[count, 3], blobs[count, 4] = 1.0 / radius, 1.0 / (flat * radius), weight
             blobs[count, 5] = radius * math.sqrt(ax * ax + flat * flat * rx * rx)
             blobs[count, 6] = radius * math.sqrt(ay * ay + flat * flat * ry * ry)
@@ -144,6 +146,7 @@ def _lay_floor(plane: Any, tints: Any, darkness: float, below: Any, x: float, y:
     x_ink, z_ink = min(x_pixels / f(6), f(1)), min(z_pixels / f(6), f(1))  # dense lines would be a grey smear
     half = f(0.8 + 0.0006 * plane[13])
     dark = f(darkness)
+    px, pz = f(plane[14]), f(plane[15])
     r, g, b = f(below[0]), f(below[1]), f(below[2])
     pool_r, pool_g, pool_b = tints[0, 0], tints[0, 1], tints[0, 2]
     grid_r, grid_g, grid_b = tints[1, 0], tints[1, 1], tints[1, 2]
@@ -152,8 +155,9 @@ def _lay_floor(plane: Any, tints: Any, darkness: float, below: Any, x: float, y:
         cx, cz = x0 + step * xx, z0 + step * zx
         fade = max(f(1) - (cx * cx + cz * cz) * reach, f(0))
         fade *= fade
-        x_line = min(max(half - abs(cx - np.floor(cx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
-        z_line = min(max(half - abs(cz - np.floor(cz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
+        gx, gz = cx - px, cz - pz
+        x_line = min(max(half - abs(gx - np.floor(gx + f(0.5))) * x_pixels, f(0)), f(1)) * x_ink
+        z_line = min(max(half - abs(gz - np.floor(gz + f(0.5))) * z_pixels, f(0)), f(1)) * z_ink
         line = max(x_line, z_line) * fade
         lit = f(1) - dark * depth[i] / (f(1) + depth[i])
         red = np.uint32(np.int32((r + pool_r * fade + grid_r * line) * lit + f(0.5)))
@@ -244,7 +248,7 @@ def paint_backdrops(
         radii: (k,) float32.
         frames: (m, 4) int32 the rectangles before they were cut to the target; gradients run over these.
         gradients: (m, 2, 3) float32 colours 0..255 at the top and the bottom.
-        planes: (m, 14) float64 the floor (:func:`layfigure_plugins.raster.ground.set_stage`), or (0, 14) for none.
+        planes: (m, PLANE) float64 the floor (:func:`layfigure_plugins.raster.ground.set_stage`); (0, PLANE) is none.
         tints: (m, 2, 3) float32 what the lit floor and a grid line add to the background.
         darkness: what a full shadow takes off, 0..1.
         pixels: (height * pitch,) uint32 the target's pixels.

@@ -1,0 +1,100 @@
+"""Draws pictures of scenes, of any size, with any renderer of the host."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure import compiled
+from layfigure.drawing.palette import load_palette
+from layfigure.drawing.render_list import RECOMMENDED, Look, Target
+from layfigure.errors import LayfigureError
+from layfigure.figures.figure import Figure
+from layfigure.plugins.host import Host
+from layfigure.plugins.records import Renderer, RendererObject
+from layfigure.scenes import digests
+from layfigure.scenes.listing import Paper, listed
+from layfigure.scenes.picture import ScenePicture, Shooting
+from layfigure.session.theme import view_theme
+from layfigure.suggestions import did_you_mean
+
+MAXIMUM_SIDE = 16384  # pixels; more would overflow what primitives in pixels can say
+
+
+@dataclass(frozen=True)
+class Studio:
+    """How pictures are to be made: (width, height) in pixels, which renderer, its look, the theme, and the palette.
+
+    A picture without a floor gets neither grid nor shadow, whatever the look says.
+    """
+
+    size: tuple[int, int] = (640, 480)
+    renderer: str = "raster"
+    look: Look = RECOMMENDED
+    theme: str = "dark"
+    palette: str = "default"
+
+
+class PictureDrawer:
+    """Draws pictures one after another; it keeps a renderer, so use one drawer per thread.
+
+    Raises:
+        LayfigureError: there is no such renderer, theme or palette, or the size is none.
+    """
+
+    def __init__(self, host: Host, studio: Studio | None = None) -> None:
+        self.studio = studio or Studio()
+        width, height = self.studio.size
+        if not (0 < width <= MAXIMUM_SIDE and 0 < height <= MAXIMUM_SIDE):
+            raise LayfigureError(f"a picture of {width}x{height} pixels; each side must be 1 to {MAXIMUM_SIDE}")
+        self._host, self._record = host, _renderer(host, self.studio.renderer)
+        if self._record.compiled:
+            compiled.load()
+        self._renderer: RendererObject = host.call(self._record, "making the renderer", self._record.make)
+        background = view_theme(self.studio.theme).pane
+        load_palette(self.studio.palette)
+        self._paper = Paper(width, height, background, self._colours)
+
+    def draw(self, picture: ScenePicture, out: NDArray[np.uint32] | None = None) -> NDArray[np.uint32]:
+        """Return a picture as (height, width) uint32 0x00RRGGBB, in ``out`` where that is given.
+
+        Raises:
+            LayfigureError: a colour word is unknown, there are too many colours, or the renderer failed.
+        """
+        width, height = self.studio.size
+        pixels = np.empty((height, width), dtype=np.uint32) if out is None else out
+        look = self.studio.look if picture.floor is not None else replace(self.studio.look, shadow=False, grid=False)
+        scene = listed(picture, self._paper)
+        self._host.call(self._record, "drawing", self._renderer.draw, scene, Target(pixels), look)
+        return pixels
+
+    def digest(self, shown: ScenePicture | Shooting) -> bytes:
+        """Return 16 bytes that stand for a picture, or for all of a scene's, as this drawer draws it.
+
+        They are the same in every process with the same release of the program, of plug-ins that draw, and of palettes
+        and themes.
+        """
+        return digests.joined([digests.digest(shown), repr(self.studio).encode()])
+
+    def _colours(self, figure: Figure) -> NDArray[np.uint8]:
+        return _rgb(figure, self.studio.palette)
+
+
+@lru_cache(maxsize=256)
+def _rgb(figure: Figure, palette: str) -> NDArray[np.uint8]:
+    colours = load_palette(palette).rgb(figure.colours)
+    colours.flags.writeable = False
+    return colours
+
+
+def _renderer(host: Host, name: str) -> Renderer:
+    try:
+        return host.renderers[name]
+    except KeyError:
+        known = ", ".join(host.renderers)
+        raise LayfigureError(
+            f'there is no renderer "{name}"{did_you_mean(name, host.renderers)}; there are {known}'
+        ) from None

@@ -1,0 +1,130 @@
+"""From a scene's picture to a render list: every figure measured once for all its places, then gathered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.drawing.gathering import gathered
+from layfigure.drawing.geometry import measure_batch, to_pixels_framed
+from layfigure.drawing.render_list import Rectangle, RenderList
+from layfigure.drawing.shots import repeated_columns
+from layfigure.figures.figure import Figure
+from layfigure.scenes.camera import SceneCamera, flipped
+from layfigure.scenes.picture import Actor, ScenePicture
+
+Floats = NDArray[np.float64]
+_FRAME = np.array([0.0, 0.0, 0.0, 1.0])  # a camera looks at its anchor, and zoom 1 shows one unit to the nearer edge
+
+
+@dataclass(frozen=True)
+class Paper:
+    """What pictures are put on: their size in pixels, the colour behind everything, and how colour words look."""
+
+    width: int
+    height: int
+    background: tuple[int, int, int]
+    palette: Callable[[Figure], NDArray[np.uint8]]
+
+
+def listed(picture: ScenePicture, paper: Paper) -> RenderList:
+    """Return what a renderer needs to draw a picture: one view, or with sides one for each camera."""
+    cameras = (picture.camera, *picture.sides)
+    boxes = layout(paper.width, paper.height, len(cameras))
+    rows = np.array([_row(camera, box) for camera, box in zip(cameras, boxes, strict=True)])
+    grouped: dict[Figure, list[Actor]] = {}
+    for actor in picture.actors:
+        grouped.setdefault(actor.figure, []).append(actor)
+    views = _views(rows, paper, _ground(picture, rows))
+    return gathered([_with_figure(views, actors, rows, paper) for actors in grouped.values()] or [views])
+
+
+def layout(width: int, height: int, views: int) -> list[Rectangle]:
+    """Return the rectangles of a picture's views: all of it, or the left two thirds and rows in the right third."""
+    if views == 1:
+        return [Rectangle(0, 0, width, height)]
+    left = width - width // 3
+    edges = [height * number // (views - 1) for number in range(views)]
+    sides = [Rectangle(left, top, width - left, bottom - top) for top, bottom in pairwise(edges)]
+    return [Rectangle(0, 0, left, height), *sides]
+
+
+def _row(camera: SceneCamera, box: Rectangle) -> tuple[float, ...]:
+    """Return a shot (18,) of pose 0 as :func:`layfigure.drawing.geometry.measure` takes it."""
+    right, up, away = camera.rotation
+    zoom = 2.0 * box.width / (camera.width * max(min(box.width, box.height), 1))
+    return (0, *box, zoom, *right, *up, *away, *flipped(camera.target))
+
+
+def _views(rows: Floats, paper: Paper, ground: tuple[Floats, Floats]) -> RenderList:
+    """Return a list of empty views."""
+    views = len(rows)
+    none = np.zeros(0, dtype=np.uint8)
+    return RenderList(
+        rectangles=rows[:, 1:5].astype(np.int32),
+        slices=np.zeros((views, 2), dtype=np.int32),
+        rotations=rows[:, 6:15].reshape(-1, 3, 3).astype(np.float32),
+        scales=(rows[:, 3:5].min(axis=1) / 2 * rows[:, 5]).astype(np.float32),
+        grounds=ground[0].astype(np.float32),
+        backgrounds=np.tile(np.array(paper.background, dtype=np.uint8), (views, 1)),
+        kinds=none,
+        points=np.zeros((0, 4, 3), dtype=np.float32),
+        radii=np.zeros(0, dtype=np.float32),
+        parts=none,
+        colours=none,
+        styles=none,
+        palette=np.zeros((1, 3), dtype=np.uint8),
+        segment_slices=np.zeros((views, 2), dtype=np.int32),
+        grids=ground[1].astype(np.float32),
+    )
+
+
+def _ground(picture: ScenePicture, rows: Floats) -> tuple[Floats, Floats]:
+    """Return, in pixels, the ground under what each camera looks at and under the world's origin, (m, 3) both.
+
+    The first is where the lit floor is brightest, the second keeps the grid still while a camera moves.
+    """
+    height = picture.floor or 0.0
+    below = rows[:, 15:].copy()
+    below[:, 1] = height
+    origin = np.array([0.0, height, 0.0])
+    pixels = [
+        to_pixels_framed(_FRAME, row[None], np.stack([point, origin])) for row, point in zip(rows, below, strict=True)
+    ]
+    return np.array([each[0] for each in pixels]), np.array([each[1] for each in pixels])
+
+
+def _with_figure(views: RenderList, actors: Sequence[Actor], rows: Floats, paper: Paper) -> RenderList:
+    """Return the views with every place in which one figure stands, measured in one go."""
+    figure, places = actors[0].figure, len(actors)
+    shots = np.repeat(rows, places, axis=0)
+    shots[:, 0] = np.tile(np.arange(places), len(rows))
+    angles = np.stack([actor.angles for actor in actors], dtype=np.float64)
+    moved = np.stack([actor.translation for actor in actors], dtype=np.float64)
+    geometry = measure_batch(figure, angles, moved, shots, _FRAME)
+    kinds, parts, colours, segment_parts, segment_colours = repeated_columns(figure, len(shots))
+    return replace(
+        views,
+        slices=_slices(len(rows), places * len(figure.arrays.volume_kinds)),
+        kinds=kinds,
+        points=geometry.points,
+        radii=geometry.radii,
+        parts=parts,
+        colours=colours,
+        styles=np.zeros(len(kinds), dtype=np.uint8),
+        palette=paper.palette(figure),
+        segments=geometry.segments,
+        segment_slices=_slices(len(rows), places * len(figure.limbs)),
+        segment_parts=segment_parts,
+        segment_colours=segment_colours,
+        segment_styles=np.zeros(len(segment_parts), dtype=np.uint8),
+    )
+
+
+def _slices(views: int, size: int) -> NDArray[np.int32]:
+    first = np.arange(views, dtype=np.int32) * np.int32(size)
+    return np.stack([first, first + np.int32(size)], axis=1)
