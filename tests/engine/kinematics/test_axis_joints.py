@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from layfigure.figures.fig_language import parse_fig
@@ -81,6 +81,7 @@ def random_pose(it: Figure, seed: int) -> Pose:
 
 
 @pytest.mark.parametrize("handed", ["left", "right"])
+@settings(deadline=None)  # the first call loads machine code
 @given(st.integers(0, 2**32 - 1))
 def test_machine_code_places_as_the_reference_does(handed: str, seed: int) -> None:
     from layfigure.kinematics.compiled_forward import ForwardKinematics
