@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
 from layfigure.techniques.contract import CHANNELS, Bench, Controls, TechniqueObject
 from layfigure.techniques.solving import SolverObject
+
+if TYPE_CHECKING:  # motions are built on these records
+    from layfigure.motions.pieces import Pieces
 
 _ID = re.compile(r"[a-z][a-z0-9_.-]*")
 
@@ -151,14 +154,22 @@ class FigureSource:
 
 @dataclass(frozen=True)
 class Interpolation:
-    """A way from one key to the next: ``ease(u)`` maps 0..1 to progress with ease(0) = 0 and ease(1) = 1."""
+    """A way from one key to the next, given in one of two forms.
+
+    ``ease(u)`` maps 0..1 to progress with ease(0) = 0 and ease(1) = 1. ``pieces(segment)`` takes one component of the
+    angles with the velocity and acceleration that the joint arrives with (:class:`layfigure.motions.pieces.Segment`)
+    and returns cubics that lead from its start to its end; it must work on Fractions and on floats.
+    """
 
     id: str
     title: str
-    ease: Callable[[float], float]
+    ease: Callable[[float], float] | None = None
+    pieces: Pieces | None = None
 
     def __post_init__(self) -> None:
         _check_id("interpolation", self.id)
+        if (self.ease is None) == (self.pieces is None):
+            raise PluginError(f"interpolation {self.id}: give it either an ease or pieces")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,143 @@
+"""A figure's limits and a motion: joint limits always win, and a report says where they had to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.figures.figure import Figure
+from layfigure.files.decimals import plain
+from layfigure.motions.joints import joints_of, kinds_of
+from layfigure.motions.keys import PLACE, ROOT_JOINT, Key, Span, Values
+from layfigure.motions.motion import Motion
+
+Floats = NDArray[np.float64]
+_NOTHING = 1e-9  # degrees that rounding alone can step over a limit
+
+
+@dataclass(frozen=True)
+class ClampReport:
+    """How often limits won: ``clamped`` of ``samples``, the worst being joint.kind, by ``excess`` degrees at ``frame``.
+
+    A sample is one joint that the motion moves at one time; of a motion's own keys, one key. ``excess`` is how far
+    beyond the limit the motion went, with its sign.
+    """
+
+    clamped: int = 0
+    samples: int = 0
+    joint: str = ""
+    kind: str = ""
+    excess: float = 0.0
+    frame: Fraction = Fraction(0)
+    counted: str = "samples"
+
+    def __bool__(self) -> bool:
+        """Whether anything was clamped."""
+        return self.clamped > 0
+
+    def __str__(self) -> str:
+        if not self.clamped:
+            return f"clamped none of {self.samples} {self.counted}"
+        worst = f"{self.joint}.{self.kind} {plain_signed(self.excess)} degrees at frame {plain(float(self.frame), 3)}"
+        return f"clamped {self.clamped} of {self.samples} {self.counted}, worst {worst}"
+
+    def with_other(self, other: ClampReport) -> ClampReport:
+        """Return both reports as one; of two worst ones equally far out, the first."""
+        worse = other if abs(other.excess) > abs(self.excess) else self
+        counts = self.clamped + other.clamped, self.samples + other.samples
+        return ClampReport(*counts, worse.joint, worse.kind, worse.excess, worse.frame, self.counted)
+
+
+def plain_signed(degrees: float) -> str:
+    """Return degrees with their sign and as few decimals as matter."""
+    shown = plain(abs(degrees), 1)
+    return f"{'-' if degrees < 0 else '+'}{shown if shown != '0' else 'less than 0.1'}"
+
+
+def merged(reports: Iterable[ClampReport]) -> ClampReport:
+    """Return several reports as one."""
+    whole = ClampReport()
+    for report in reports:
+        whole = whole.with_other(report)
+    return whole
+
+
+def clamp_samples(
+    figure: Figure, limbs: NDArray[np.int64], values: Floats, times: Floats
+) -> tuple[Floats, ClampReport]:
+    """Return values (f, j, 3) of limbs (j,) inside the figure's limits, and the report; the root turns freely.
+
+    A degree of freedom that a joint lacks has the limits 0 and 0.
+    """
+    limits = figure.arrays.limits[limbs].copy()
+    limits[limbs == 0] = (-np.inf, np.inf)
+    kept = np.clip(values, limits[..., 0], limits[..., 1])
+    if np.array_equal(kept, values):
+        return kept, ClampReport(0, values.shape[0] * values.shape[1])
+    over = values - kept
+    sizes = np.abs(over)
+    worst = np.unravel_index(int(sizes.argmax()), sizes.shape)
+    count = int((sizes > _NOTHING).any(axis=2).sum())
+    samples = values.shape[0] * values.shape[1]
+    if not count:
+        return kept, ClampReport(0, samples)
+    limb, frame = int(limbs[worst[1]]), Fraction(repr(float(times[worst[0]])))
+    name, kind = figure.names[limb], kinds_of(figure, limb)[int(worst[2])]
+    return kept, ClampReport(count, samples, name, kind, float(over[worst]), frame)
+
+
+def clamped(motion: Motion, figure: Figure) -> tuple[Motion, ClampReport]:
+    """Return a motion whose keys lie inside a figure's limits, and which did not; joints it lacks are left alone.
+
+    Between its keys the default interpolation then keeps them too; others may step over, and are clamped when sampled.
+    """
+    limits = _exact_limits(figure)
+    report = ClampReport(counted="keys")
+    tracks = dict(motion.tracks)
+    for joint in motion.joints:
+        if joint in limits:
+            spans = []
+            for span in motion.tracks[joint]:
+                spans.append(span.revalued(lambda v, bounds=limits[joint]: _inside(v, bounds)))  # type: ignore[misc]
+                report = report.with_other(_keys_report(figure, joint, span, spans[-1]))
+            tracks[joint] = tuple(spans)
+    return Motion(motion.duration, tracks, motion.marks), report
+
+
+Bounds = tuple[tuple[Fraction, Fraction], ...]
+
+
+def _exact_limits(figure: Figure) -> dict[str, Bounds]:
+    """Return the limits of joints by id, of limbs that share one those that all of them have; the root has none."""
+    found = {}
+    for joint, limbs in joints_of(figure).items():
+        if joint not in (ROOT_JOINT, PLACE):
+            box = figure.arrays.limits[list(limbs)]
+            lows, highs = box[..., 0].max(axis=0), box[..., 1].min(axis=0)
+            pairs = zip(lows.tolist(), np.maximum(lows, highs).tolist(), strict=True)
+            found[joint] = tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in pairs)
+    return found
+
+
+def _inside(values: Values, bounds: Bounds) -> Values:
+    x, y, z = (min(max(value, low), high) for value, (low, high) in zip(values, bounds, strict=True))
+    return (x, y, z)
+
+
+def _keys_report(figure: Figure, joint: str, before: Span, after: Span) -> ClampReport:
+    kinds = kinds_of(figure, joints_of(figure)[joint][0])
+    report = ClampReport(0, len(before.keys), counted="keys")
+    for old, new in zip(before.keys, after.keys, strict=True):
+        if old != new:
+            report = report.with_other(_key_report(joint, kinds, old, new))
+    return report
+
+
+def _key_report(joint: str, kinds: tuple[str, str, str], old: Key, new: Key) -> ClampReport:
+    over = [float(was - now) for was, now in zip(old.values, new.values, strict=True)]
+    worst = max(range(3), key=lambda component: abs(over[component]))
+    return ClampReport(1, 0, joint, kinds[worst], over[worst], old.time, "keys")

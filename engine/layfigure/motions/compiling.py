@@ -1,0 +1,246 @@
+"""A motion as flat float arrays, made once: per joint a row of cubic pieces that is searched and evaluated in numpy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.motions.keys import DEFAULT, Span
+from layfigure.motions.motion import Motion
+from layfigure.motions.pieces import Piece
+from layfigure.motions.span_curve import Eased, SpanCurve, Way, progress
+from layfigure.motions.standard import Curves, interpolation
+from layfigure.plugins.records import Interpolation
+
+Floats = NDArray[np.float64]
+_WHOLE = (-np.inf, np.inf)
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One joint's pieces in order of time; p pieces.
+
+    Piece 0 lasts until the first span begins; its values are NaN, the joint being where it was. ``table`` holds, for
+    each piece and component, the coefficients c0 to c3, and the bounds that rounding must not step over. Where
+    ``ease`` is not -1, a piece's u is the progress of that ease over ``frames``.
+    """
+
+    begins: Floats  # (p,) frames
+    table: Floats  # (p, 6, 3)
+    frames: Floats  # (p,)
+    ease: NDArray[np.int64]  # (p,)
+    seams: frozenset[float]  # where spans begin
+
+
+@dataclass(frozen=True, eq=False)
+class Compiled:
+    """A motion ready to be sampled: rows by joint, the last values (3,) of each, and the eases that they use."""
+
+    rows: Mapping[str, Row]
+    eases: tuple[Interpolation, ...]
+
+    def evaluate(self, joint: str, times: Floats, earlier: NDArray[np.int64]) -> Floats:
+        """Return a joint's values (f, 3) at ``times`` (f,), NaN before its first span.
+
+        ``earlier`` are the indices of times that lie a little before the float that stands for them.
+        """
+        row = self.rows[joint]
+        piece = np.searchsorted(row.begins, times, side="right") - 1
+        for index in earlier.tolist():
+            if times[index] in row.seams:
+                piece[index] = np.searchsorted(row.begins, times[index], side="left") - 1
+        u = times - row.begins[piece]
+        u[piece == 0] = 0.0
+        self._ease(row, piece, u)
+        c = row.table[piece]
+        u = u[:, None]
+        values = c[:, 0] + u * (c[:, 1] + u * (c[:, 2] + u * c[:, 3]))
+        return np.asarray(np.minimum(np.maximum(values, c[:, 4], out=values), c[:, 5], out=values))
+
+    def _ease(self, row: Row, piece: NDArray[np.int64], u: Floats) -> None:
+        """Put the progress of eases in the place of frames, in place."""
+        if not self.eases:
+            return
+        for number in np.unique(row.ease[piece]).tolist():
+            if number >= 0:
+                eased = row.ease[piece] == number
+                shares = (u[eased] / row.frames[piece[eased]]).tolist()
+                u[eased] = [progress(self.eases[number], share) for share in shares]
+
+
+class _Block(NamedTuple):
+    """The pieces of some spans: begins (p,), table (p, 6, 3), frames (p,), ease (p,)."""
+
+    begins: Floats
+    table: Floats
+    frames: Floats
+    ease: NDArray[np.int64]
+
+
+def compiled(motion: Motion, curves: Curves) -> Compiled:
+    """Return the arrays of a motion, made once for the interpolations that it names.
+
+    Raises:
+        LayfigureError: a key names an interpolation that ``curves`` does not have.
+    """
+    hows = {key.how for spans in motion.tracks.values() for span in spans for key in span.keys}
+    used = tuple(interpolation(curves, how) for how in sorted(hows))
+    kept = motion.memory.get(("compiled", used))
+    if not isinstance(kept, Compiled):
+        eases = tuple(record for record in used if record.ease is not None)
+        kept = Compiled({joint: _row(spans, curves, eases) for joint, spans in motion.tracks.items()}, eases)
+        motion.memory[("compiled", used)] = kept
+    return kept
+
+
+def _row(spans: Sequence[Span], curves: Curves, eases: Sequence[Interpolation]) -> Row:
+    before = _Block(np.array([-1.0]), np.full((1, 6, 3), np.nan), np.ones(1), np.full(1, -1))
+    blocks = [before]
+    for alike, group in _groups(spans):
+        blocks += [_monotone(group)] if alike else [_stretch(span, curves, eases) for span in group]
+    parts = [np.concatenate(part) for part in zip(*blocks, strict=True)]
+    return Row(parts[0], parts[1], parts[2], parts[3], frozenset(float(span.begin) for span in spans))
+
+
+def _groups(spans: Sequence[Span]) -> Iterator[tuple[bool, list[Span]]]:
+    """Yield runs of spans: whether all their keys are the default's, and the spans."""
+    group: list[Span] = []
+    for span in spans:
+        plain = all(key.how == DEFAULT for key in span.keys)
+        if group and plain and all(key.how == DEFAULT for key in group[0].keys):
+            group.append(span)
+            continue
+        if group:
+            yield all(key.how == DEFAULT for key in group[0].keys), group
+        group = [span]
+    yield all(key.how == DEFAULT for key in group[0].keys), group
+
+
+def _monotone(spans: Sequence[Span]) -> _Block:
+    """Return the pieces of spans whose keys are all the default's: a piece from each key, and one for each hold."""
+    times = np.array([float(key.time) for span in spans for key in span.keys])
+    values = np.array([[float(v) for v in key.values] for span in spans for key in span.keys])
+    counts = np.array([len(span.keys) for span in spans])
+    lasts = np.cumsum(counts) - 1
+    firsts = lasts - counts + 1
+    held = np.array([(span.begin < span.keys[0].time, span.keys[-1].time < span.end) for span in spans])
+    slopes = _slopes(times, values, (firsts, lasts), held)
+    inner = np.ones(len(times), bool)
+    inner[lasts] = False
+    table = np.zeros((len(times), 6, 3))
+    table[:, 0] = table[:, 4] = table[:, 5] = values
+    at = np.flatnonzero(inner)
+    h = (times[at + 1] - times[at])[:, None]
+    secant = (values[at + 1] - values[at]) / h
+    table[at, 1] = slopes[at]
+    table[at, 2] = (3 * secant - 2 * slopes[at] - slopes[at + 1]) / h
+    table[at, 3] = (slopes[at] + slopes[at + 1] - 2 * secant) / (h * h)
+    table[at, 4] = np.minimum(values[at], values[at + 1])
+    table[at, 5] = np.maximum(values[at], values[at + 1])
+    standing = firsts[held[:, 0]]
+    rest = np.zeros((len(standing), 6, 3))
+    rest[:, 0] = rest[:, 4] = rest[:, 5] = values[standing]
+    begins = np.array([float(span.begin) for span in spans])[held[:, 0]]
+    times, table = np.insert(times, standing, begins), np.insert(table, standing, rest, axis=0)
+    return _Block(times, table, np.ones(len(times)), np.full(len(times), -1))
+
+
+def _slopes(
+    times: Floats, values: Floats, ends: tuple[NDArray[np.int64], NDArray[np.int64]], held: NDArray[np.bool_]
+) -> Floats:
+    """Return the monotone curve's velocities (k, 3) at keys; as :mod:`layfigure.motions.pieces` on whole arrays.
+
+    ``ends`` are the indices of each span's first and last key; ``held`` (s, 2) whether the joint stands beside them.
+    """
+    firsts, lasts = ends
+    slopes = np.zeros_like(values)
+    if len(times) == 1:
+        return slopes
+    h = np.diff(times)[:, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        secant = np.diff(values, axis=0) / h
+        left, right, before, after = h[:-1], h[1:], secant[:-1], secant[1:]
+        one, two = 2 * right + left, right + 2 * left
+        mean = (one + two) / (one / before + two / after)
+    slopes[1:-1] = np.where(before * after > 0, mean, 0.0)
+    slopes[firsts] = slopes[lasts] = 0.0
+    for side, (edge, step) in enumerate(((firsts, 1), (lasts, -1))):
+        free = (lasts > firsts) & ~held[:, side]
+        near = edge[free] - (side == 1)
+        longer = (lasts - firsts)[free] > 1
+        far = np.where(longer, near + step, near)
+        slopes[edge[free]] = _edge(h[near], secant[near], h[far], secant[far])
+    return slopes
+
+
+def _edge(h: Floats, d: Floats, k: Floats, e: Floats) -> Floats:
+    """Return PCHIP's one-sided velocities (n, 3) at ends of spans; with far = near it is the secant."""
+    slope = ((2 * h + k) * d - h * e) / (h + k)
+    steep = (d * e <= 0) & (np.abs(slope) > 3 * np.abs(d))
+    return np.asarray(np.where(slope * d <= 0, 0.0, np.where(steep, 3 * d, slope)))
+
+
+def _stretch(span: Span, curves: Curves, eases: Sequence[Interpolation]) -> _Block:
+    """Return the pieces of one span with ways of any kind."""
+    times = [float(key.time) for key in span.keys]
+    values = [[float(v) for v in key.values] for key in span.keys]
+    held = (span.begin < span.keys[0].time, span.keys[-1].time < span.end)
+    curve = SpanCurve(times, values, [key.how for key in span.keys], held, curves)
+    rows = [_still(float(span.begin), values[0])] if held[0] else []
+    for index, (begin, _) in enumerate(pairwise(times)):
+        ways = [curve.way(component, index) for component in range(3)]
+        bounds = _WHOLE
+        if span.keys[index + 1].how == DEFAULT:
+            rows.append(_cubics(begin, ways, np.sort([values[index], values[index + 1]], axis=0)))
+        elif isinstance(ways[0][0], Eased):
+            rows.append(_eased(begin, ways, eases))
+        else:
+            rows += [_cubics(begin + since, parts, bounds) for since, parts in _aligned(ways)]
+    rows.append(_still(times[-1], values[-1]))
+    return _Block(*(np.concatenate(part) for part in zip(*rows, strict=True)))
+
+
+def _still(begin: float, values: Sequence[float]) -> _Block:
+    table = np.zeros((1, 6, 3))
+    table[0, 0] = table[0, 4] = table[0, 5] = values
+    return _Block(np.array([begin]), table, np.ones(1), np.full(1, -1))
+
+
+def _cubics(begin: float, ways: Sequence[Way], bounds: object) -> _Block:
+    table = np.zeros((1, 6, 3))
+    for component, (piece,) in enumerate(ways):
+        assert isinstance(piece, Piece)
+        table[0, :4, component] = [float(c) for c in piece[1:]]
+    table[0, 4:] = np.reshape(np.asarray(bounds, dtype=np.float64), (2, -1))
+    return _Block(np.array([begin]), table, np.ones(1), np.full(1, -1))
+
+
+def _eased(begin: float, ways: Sequence[Way], eases: Sequence[Interpolation]) -> _Block:
+    table = np.zeros((1, 6, 3))
+    table[0, 4:] = np.reshape(_WHOLE, (2, 1))
+    for component, (eased,) in enumerate(ways):
+        assert isinstance(eased, Eased)
+        table[0, :2, component] = eased.start, eased.change
+    (eased,) = ways[0]
+    assert isinstance(eased, Eased)
+    return _Block(np.array([begin]), table, np.array([float(eased.frames)]), np.array([eases.index(eased.record)]))
+
+
+def _aligned(ways: Sequence[Way]) -> Iterator[tuple[float, list[list[Piece]]]]:
+    """Yield (frames since the key, one piece per component), cut wherever any of the components is."""
+    starts = [np.concatenate([[0.0], np.cumsum([float(piece.frames) for piece in way])]) for way in ways]
+    total = min(float(start[-1]) for start in starts)
+    cuts = sorted({float(cut) for start in starts for cut in start[:-1] if cut < total} | {0.0})
+    for cut, end in pairwise([*cuts, total]):
+        parts = []
+        for way, start in zip(ways, starts, strict=True):
+            number = int(np.searchsorted(start[1:-1], cut, side="right"))
+            piece = way[number]
+            assert isinstance(piece, Piece)
+            parts.append([piece.later(cut - float(start[number]), end - cut)])
+        yield cut, parts

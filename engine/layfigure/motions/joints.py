@@ -1,0 +1,27 @@
+"""Which limbs of a figure answer to a motion's joint ids."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
+
+from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.figure import Figure
+from layfigure.motions.keys import ROOT_JOINT
+
+
+@lru_cache(maxsize=64)
+def joints_of(figure: Figure) -> Mapping[str, tuple[int, ...]]:
+    """Return limb indices by joint id: ``root``, and every limb's own id; limbs that share one move alike."""
+    found: dict[str, tuple[int, ...]] = {ROOT_JOINT: (0,)}
+    for limb in figure.limbs[1:]:
+        name = limb.name.casefold()
+        found[name] = (*found.get(name, ()), limb.index)
+    return MappingProxyType(found)
+
+
+def kinds_of(figure: Figure, limb: int) -> tuple[str, str, str]:
+    """Return what a limb's three angles are called."""
+    del figure, limb
+    return DOF_KINDS
