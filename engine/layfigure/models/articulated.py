@@ -150,9 +150,11 @@ class Model:
         Raises:
             LayfigureError: ``by`` is no whole number.
         """
-        step = JointId.of(by).number
+        step = exact_number(by, "TRANS JOINTS")
+        if step.denominator != 1:
+            raise LayfigureError(f"TRANS JOINTS adds a whole number, not {by}")
         first, *rest = self.nodes
-        moved = (replace(node, joint=replace(node.joint, id=node.joint.id.translated(step))) for node in rest)
+        moved = (replace(node, joint=replace(node.joint, id=node.joint.id.translated(int(step)))) for node in rest)
         return replace(self, nodes=(first, *moved))
 
     def scale(self, size: Number) -> Model:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from layfigure.errors import LayfigureError
-from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_NAME
+from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_NAME, MAXIMUM_VOLUMES
 from layfigure.figures.definition import Vector
 from layfigure.models.joints import Joint, JointId
 from layfigure.models.shapes import EMPTY, Shape
@@ -67,10 +67,12 @@ def hung(nodes: Nodes, at: int, joint: Joint, part: Nodes) -> Nodes:
     """Return a tree with another, whole, joined by its root to node ``at``.
 
     Raises:
-        LayfigureError: there are more links than a figure can have.
+        LayfigureError: there are more links or volumes than a figure can have.
     """
     if len(nodes) + len(part) > MAXIMUM_LIMBS:
         raise LayfigureError(f"a model has up to {MAXIMUM_LIMBS} links; this one would have more")
+    if sum(len(node.link.shape.volumes) for node in (*nodes, *part)) > MAXIMUM_VOLUMES:
+        raise LayfigureError(f"a model has up to {MAXIMUM_VOLUMES} volumes; this one would have more")
     shift = len(nodes)
     root, *rest = (_shifted(node, shift) for node in part)
     return (*nodes, replace(root, parent=at, joint=joint), *rest)

@@ -1,7 +1,11 @@
-"""The thesis's HUMAN (appendix A), built as its program builds it."""
+"""The thesis's HUMAN (appendix A), built as its program builds it, and where links stand in script space."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
+from layfigure.kinematics.forward import place
 from layfigure.models import Link, Model, box, joint, model
 
 
@@ -27,12 +31,41 @@ def human() -> Model:
     return model(joint(10, body, (0, -0.40, 0.18), lleg, (0, 0.24, 0), **hip), name="human")
 
 
-def squat(figure, share: float):
-    """The thesis's SQUAT as angles (n, 3), ``share`` of the way down: elbows bent, knees, ankles and hips turned."""
-    import numpy as np
+_CROSSING = np.diag([1.0, 1.0, -1.0])
 
-    turns = {"3": -135, "5": -135, "4": 45, "6": 45, "9": 90, "10": 90}
-    angles = np.zeros((len(figure.limbs), 3))
-    for limb in figure.limbs[1:]:
-        angles[limb.index, 2] = 135 if limb.joint in ("1", "2") else share * turns.get(limb.joint, 0)
+
+def _angles_by_joint(model, turns) -> np.ndarray:
+    """Return angles (n, 3) of a model's figure: for each joint identifier its three angles in degrees."""
+    angles = np.zeros((len(model.figure.limbs), 3))
+    for limb in model.figure.limbs[1:]:
+        angles[limb.index] = turns.get(limb.joint, (0.0, 0.0, 0.0))
     return angles
+
+
+def _link_matrices(model: Model, angles: np.ndarray, translation=(0.0, 0.0, 0.0)) -> np.ndarray:
+    """Return the (links, 4, 4) maps from the links' own coordinates to script space, the main link held still."""
+    angles, translation = model.held(np.asarray(angles), np.asarray(translation, dtype=float))
+    placement = place(model.figure, angles, translation)
+    answer = np.tile(np.eye(4), (len(model.nodes), 1, 1))
+    for node in range(len(model.nodes)):
+        at_node = Model(model.nodes, node)
+        turn, origin = placement.limb_to_world[at_node.main], placement.origins[at_node.main]
+        answer[node, :3, :3] = _CROSSING @ turn @ _CROSSING
+        answer[node, :3, 3] = _CROSSING @ (origin + turn @ at_node.anchor)
+    return answer
+
+
+def _turn(axis: str, degrees: float) -> np.ndarray:
+    """Return the (3, 3) right-handed rotation about an axis, written out."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return {
+        "x": np.array([[1, 0, 0], [0, c, -s], [0, s, c]]),
+        "y": np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]),
+        "z": np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]),
+    }[axis]
+
+
+@pytest.fixture(scope="session")
+def space() -> SimpleNamespace:
+    """``angles(model, {joint: (x, y, z)})``, ``links(model, angles)`` and ``turn(axis, degrees)``, see above."""
+    return SimpleNamespace(angles=_angles_by_joint, links=_link_matrices, turn=_turn)
