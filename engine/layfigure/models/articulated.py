@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.models.assembling import Assembled, assembled, origin_in_limb
-from layfigure.models.joints import Joint, JointId, product
-from layfigure.models.links import ROOT_JOINT, Link, Node, Nodes
+from layfigure.models.joints import JointId, product
+from layfigure.models.links import ROOT, Link, Node, Nodes
 from layfigure.models.numbers import Number, exact_number
 from layfigure.models.rerooting import held
 from layfigure.models.wrapping import nodes_of
@@ -47,8 +47,7 @@ class Model:
     @staticmethod
     def of_link(link: Link) -> Model:
         """Return the model of one link, to which others can be joined."""
-        joint = Joint(ROOT_JOINT, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), ())
-        return Model((Node(link, -1, joint, Fraction(1)),), name=link.name)
+        return Model((Node(link, -1, ROOT, Fraction(1)),), name=link.name)
 
     @staticmethod
     def of_figure(figure: Figure) -> Model:

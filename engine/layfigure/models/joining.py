@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from typing import TypedDict, Unpack, cast
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.build import MAXIMUM_LIMBS
@@ -15,7 +16,15 @@ from layfigure.models.numbers import Point, Range, checked_point, checked_range
 from layfigure.models.parts import Joining, Part, hung_up, model_of, node_of, title_of
 from layfigure.models.sorting import holder_of, in_order, root_of_all
 
-NOTHING: Range = (0, 0)
+_LOCKED = (0.0, 0.0)
+
+
+class Ranges(TypedDict, total=False):
+    """How far a joint turns about x, y and z of its neutral position, in degrees; what is not given is locked."""
+
+    x: Range
+    y: Range
+    z: Range
 
 
 def joint(
@@ -24,32 +33,30 @@ def joint(
     primary_point: Point,
     secondary: Part,
     secondary_point: Point,
-    *,
-    x: Range = NOTHING,
-    y: Range = NOTHING,
-    z: Range = NOTHING,
+    **ranges: Unpack[Ranges],
 ) -> Joining:
     """Say that a point of the primary is joined to a point of the secondary, and how far it turns about x, y and z.
 
     Points are in the coordinates of the link: of a model its main link, or the one named by ``model.link("foot")``.
-    Ranges are (min, max) in degrees by the right-hand rule from the neutral position; (0, 0) is locked.
+    Ranges are ``x=(min, max)`` and so on, in degrees, by the right-hand rule from the neutral position; (0, 0) is
+    locked.
 
     Raises:
         LayfigureError: a model is joined to itself, a range is the wrong way round, or something is no number.
+        TypeError: there is a range about something else.
     """
     name = JointId.of(id)
+    for part in (primary, secondary):
+        if not isinstance(part, Part):
+            raise LayfigureError(f"joint {name} joins links and models; make one of an object: Link(name, shape)")
     if model_of(primary) is not None and model_of(primary) is model_of(secondary):
         title = title_of(primary)
         raise LayfigureError(f"joint {name} joins the model {title} to itself; join a copy: {title}.copy()")
-    ranges = (
-        checked_range(r, f"the {kind} range of joint {name}") for kind, r in zip(EULER_KINDS, (x, y, z), strict=True)
-    )
-    dofs = tuple(Dof(kind, *r) for kind, r in zip(EULER_KINDS, ranges, strict=True) if r != (0.0, 0.0))
     points = [
         checked_point(point, f"the point of joint {name} on {title_of(part)}")
         for point, part in ((primary_point, primary), (secondary_point, secondary))
     ]
-    return Joining(Joint(name, points[0], points[1], dofs), primary, secondary)
+    return Joining(Joint(name, points[0], points[1], _dofs(name, ranges)), primary, secondary)
 
 
 def model(joints: Joining | Iterable[Joining], name: str = "") -> Model:
@@ -78,3 +85,15 @@ def model(joints: Joining | Iterable[Joining], name: str = "") -> Model:
         begins[number] = len(nodes)
         nodes = hung(nodes, at, statements[number].joint, parts[number].nodes)
     return Model(nodes, root.main_node, name or root.title, root.note)
+
+
+def _dofs(name: JointId, ranges: Ranges) -> tuple[Dof, ...]:
+    """Return the degrees of freedom of ranges, in the order x, y, z; a locked axis has none."""
+    unknown = set(ranges) - set(EULER_KINDS)
+    if unknown:
+        raise TypeError(f"a joint turns about x, y and z, not about {', '.join(sorted(unknown))}")
+    given = {
+        kind: checked_range(value, f"the {kind} range of joint {name}")
+        for kind, value in cast(Mapping[str, Range], ranges).items()
+    }
+    return tuple(Dof(kind, *given[kind]) for kind in EULER_KINDS if given.get(kind, _LOCKED) != _LOCKED)

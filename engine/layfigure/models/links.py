@@ -11,7 +11,7 @@ from typing import NamedTuple
 from layfigure.errors import LayfigureError
 from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_NAME, MAXIMUM_VOLUMES
 from layfigure.figures.definition import Vector
-from layfigure.models.joints import Joint, JointId
+from layfigure.models.joints import Frame, Joint, JointId
 from layfigure.models.shapes import EMPTY, Shape
 
 _NAME = re.compile(r"[^\W\d][\w.-]*")  # as in .fig files
@@ -60,7 +60,8 @@ class Node:
 
 
 Nodes = tuple[Node, ...]
-ROOT_JOINT = JointId("root", 0)
+_ROOT_FRAME: Frame = ((0, 0, -1), (0, 1, 0), (1, 0, 0))  # main axis y, flexion axis x, as a figure's root by default
+ROOT = Joint(JointId("root", 0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (), _ROOT_FRAME)
 
 
 def hung(nodes: Nodes, at: int, joint: Joint, part: Nodes) -> Nodes:

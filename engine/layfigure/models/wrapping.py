@@ -9,7 +9,7 @@ import numpy as np
 from layfigure.figures.definition import Vector
 from layfigure.figures.figure import Figure, Limb
 from layfigure.models.joints import Frame, Joint, JointId
-from layfigure.models.links import ROOT_JOINT, Link, Node, Nodes
+from layfigure.models.links import ROOT, Link, Node, Nodes
 from layfigure.models.shapes import Shape
 from layfigure.models.volumes import mapped, point_of
 
@@ -24,7 +24,7 @@ def nodes_of(figure: Figure) -> Nodes:
 def _node(limb: Limb) -> Node:
     volumes = tuple(mapped(volume, HANDEDNESS, np.zeros(3), 1.0) for volume in limb.volumes)
     link = Link(limb.name, Shape(volumes), (crossed(limb.begin), crossed(limb.end)))
-    name = ROOT_JOINT if limb.index == 0 else JointId.of(limb.joint)
+    name = ROOT.id if limb.index == 0 else JointId.of(limb.joint)
     joint = Joint(name, crossed(limb.position), (0.0, 0.0, 0.0), limb.dofs, _frame(limb))
     twin = None if limb.twin == limb.index else limb.twin
     return Node(link, limb.parent, joint, Fraction(1), twin)

@@ -130,6 +130,7 @@ def test_what_is_no_tree_is_refused(joints, sentence):
         (lambda: bone(1, HUMERUS, ULNA, z=(90, 0)), "the z range of joint 1 goes from 90 to 0; write the smaller"),
         (lambda: bone(1, HUMERUS, ULNA, x=5), "the x range of joint 1 takes 2 numbers, but has 1"),
         (lambda: joint(1, HUMERUS, (0, 0), ULNA, TOP), "the point of joint 1 on humerus takes 3 numbers"),
+        (lambda: bone(1, HUMERUS, BAR), "make one of an object: Link(name, shape)"),
         (lambda: bone(1.5, HUMERUS, ULNA), "a whole number or a word, not 1.5"),
         (lambda: bone("", HUMERUS, ULNA), "a whole number or one short word"),
         (lambda: bone(10**12, HUMERUS, ULNA), "joints are numbered up to"),
