@@ -72,9 +72,9 @@ def _joint_words(model: Model, node: Node) -> tuple[str, str, str, str]:
 
 def _symbol_rows(limb: Limb, states: Sequence[Sequence[float]]) -> list[tuple[str, ...]]:
     if not limb.dofs:
-        return [(limb.joint, limb.name, "fixed", "", "", "", "")]
+        return [(limb.joint_id, limb.name, "fixed", "", "", "", "")]
     return [
-        (limb.joint, limb.name, kind, _range(dof), *(_number(state[column]) for state in states))
+        (limb.joint_id, limb.name, kind, _range(dof), *(_number(state[column]) for state in states))
         for column, kind in enumerate(limb.kinds)
         if (dof := limb.dof(kind)) is not None
     ]

@@ -24,7 +24,7 @@ def nodes_of(figure: Figure) -> Nodes:
 def _node(limb: Limb) -> Node:
     volumes = tuple(mapped(volume, HANDEDNESS, np.zeros(3), 1.0) for volume in limb.volumes)
     link = Link(limb.name, Shape(volumes), (crossed(limb.begin), crossed(limb.end)))
-    name = ROOT.id if limb.index == 0 else JointId.of(limb.joint)
+    name = ROOT.id if limb.index == 0 else JointId.of(limb.joint_id)
     joint = Joint(name, crossed(limb.position), (0.0, 0.0, 0.0), limb.dofs, _frame(limb))
     twin = None if limb.twin == limb.index else limb.twin
     return Node(link, limb.parent, joint, Fraction(1), twin)

@@ -38,7 +38,7 @@ def _angles_by_joint(model, turns) -> np.ndarray:
     """Return angles (n, 3) of a model's figure: for each joint identifier its three angles in degrees."""
     angles = np.zeros((len(model.figure.limbs), 3))
     for limb in model.figure.limbs[1:]:
-        angles[limb.index] = turns.get(limb.joint, (0.0, 0.0, 0.0))
+        angles[limb.index] = turns.get(limb.joint_id, (0.0, 0.0, 0.0))
     return angles
 
 

@@ -83,7 +83,7 @@ def test_a_loaded_figure_joined_by_any_limb_keeps_its_shape(space, limb):
     angles[0] = 0.0
     part = Model.of_figure(figure).with_main(link=limb)
     whole = model(joint("hook", Link("stand", box(1, 1, 1)), (0, 0, 0), part, (0, 0, 0)))
-    turns = {item.joint: tuple(angles[item.index]) for item in figure.limbs[1:]}
+    turns = {item.joint_id: tuple(angles[item.index]) for item in figure.limbs[1:]}
     together = space.links(whole, space.angles(whole, turns))
     alone = space.links(part, angles)
     order = [[link.name for link in whole.links].index(name) for name in figure.names]
