@@ -1,4 +1,4 @@
-"""Finds the shipped models and data: beside the package in a wheel, at the repository root in a checkout."""
+"""Finds the shipped models and data: inside the package in a wheel, at the repository root in a checkout."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from layfigure.errors import FileError
 
 _PACKAGE = Path(__file__).resolve().parent
+_SHIPPED = _PACKAGE / "shipped"
 _REPOSITORY = _PACKAGE.parents[1]
 
 
@@ -17,7 +18,7 @@ def folder(kind: str) -> Path:
     Raises:
         FileError: neither place has it (a damaged installation).
     """
-    for root in (_PACKAGE, _REPOSITORY):
+    for root in (_SHIPPED, _REPOSITORY):
         if (root / kind).is_dir():
             return root / kind
     raise FileError(f"the shipped folder {kind!r} is missing; install layfigure again")

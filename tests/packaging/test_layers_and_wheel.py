@@ -92,9 +92,9 @@ def wheel(tmp_path_factory) -> Path:
 
 def test_a_wheel_carries_packages_models_data_and_type_marks(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
-    wanted = {"layfigure/models/humanoid.fig", "layfigure/data/keymaps/layfigure.toml", "layfigure/py.typed",
-              "layfigure_plugins/py.typed", "layfigure_frontends/__main__.py",
-              "layfigure/data/scripts/sitting.log"}  # fmt: skip
+    wanted = {"layfigure/shipped/models/humanoid.fig", "layfigure/shipped/data/keymaps/layfigure.toml",
+              "layfigure/py.typed", "layfigure_plugins/py.typed", "layfigure_frontends/__main__.py",
+              "layfigure/shipped/data/scripts/sitting.log"}  # fmt: skip
     assert wanted <= names
     assert not any("tests" in name or name.endswith(".pyc") for name in names)
 
