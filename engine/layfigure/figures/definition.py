@@ -7,6 +7,8 @@ from dataclasses import dataclass
 Vector = tuple[float, float, float]
 DOF_KINDS = ("flexion", "pivot", "twist")
 EULER_KINDS = ("x", "y", "z")  # of joints that turn about their axes one after the other (animation.md 1)
+ALL_KINDS = (*DOF_KINDS, *EULER_KINDS)
+MAXIMUM_TURN = 1e6  # degrees that such a joint may turn; hands of clocks go round and round
 VOLUME_KINDS = ("sphere", "cylinder", "cone", "cube")
 
 

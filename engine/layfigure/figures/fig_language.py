@@ -35,6 +35,7 @@ from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_VOLUMES
 from layfigure.figures.definition import (
     DOF_KINDS,
     EULER_KINDS,
+    MAXIMUM_TURN,
     VOLUME_KINDS,
     Axis,
     Dof,
@@ -57,7 +58,6 @@ _POINTS = {
     "cube": ("its corner", "the corner's first neighbour", "its second neighbour", "its third neighbour"),
 }
 _DOF_WORDS = tuple(f"{kind}dof" for kind in (*DOF_KINDS, *EULER_KINDS))
-_LARGEST_TURN = 1e6  # degrees; hands of clocks go round and round
 _STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed")
 
 
@@ -225,7 +225,7 @@ class _Parser:
         if block.dofs and (kind in EULER_KINDS) != (block.dofs[0].kind in EULER_KINDS):
             message = f'"{block.name}" has a {block.dofs[0].kind}dof; a joint turns by flexion, pivot and twist'
             self._words.fail(word, f"{message} or about x, y and z, not both")
-        widest = _LARGEST_TURN if kind in EULER_KINDS else 180.0
+        widest = MAXIMUM_TURN if kind in EULER_KINDS else 180.0
         low_word = self._words.peek()
         low = self._words.number(f"the least angle (degrees) of this {word.folded}", widest)
         high = self._words.number(f"the greatest angle (degrees) of this {word.folded}", widest)

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.library import figure_names
 from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
@@ -80,8 +79,9 @@ def _numbers(session: Session, name: str) -> PaletteMode:
     """Return a prompt for the numbers of the selected limb, with the present ones typed already."""
     figure, pose, limb = session.document.figure, session.document.pose, selected(session)[-1]
     if name == "set":
-        kinds = [kind for kind in DOF_KINDS if figure.limbs[limb].turns(kind)]
-        values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]
+        joint = figure.limbs[limb]
+        kinds = [kind for kind in joint.kinds if joint.turns(kind)]
+        values = [pose.angles[limb][joint.kinds.index(kind)] for kind in kinds]
         prompt = f"{' '.join(kinds).capitalize()} of the {spoken_limb(figure, limb)}:"
         hint = allowed_angles(figure.limbs[limb])
     else:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.plugins.records import Command
 from layfigure.session.commands.arguments import limbs
 from layfigure.session.commands.candidates import candidate
@@ -90,7 +89,7 @@ def _limb_rows(session: Session) -> Rows:
     figure, rows = document.figure, []
     for limb in figure.selectable:
         joint, angles = figure.limbs[limb], document.pose.angles[limb]
-        stands = [f"{kind} {angles[i]:.4g}" for i, kind in enumerate(DOF_KINDS) if angles[i]]
+        stands = [f"{kind} {angles[i]:.4g}" for i, kind in enumerate(joint.kinds) if angles[i]]
         kept = "" if not limb or limb in document.enabled else "; kept"
         can = "turns and carries the whole" if not limb else freedom(joint)
         rows.append((joint.name, f"{can}; {', '.join(stands) if stands else 'at rest'}{kept}"))
