@@ -50,7 +50,8 @@ class Volume:
 class LimbDefinition:
     """One limb block: axes, segment, degrees of freedom, volumes and the joints placed on it, in file order.
 
-    ``right_handed`` stands in a root only: all points of the figure are right-handed, Z toward the viewer.
+    ``right_handed`` stands in a root only: all points of the figure are right-handed, Z toward the viewer. ``joint``
+    is what motions call the joint; empty stands for the limb's name.
     """
 
     name: str
@@ -62,6 +63,7 @@ class LimbDefinition:
     volumes: tuple[Volume, ...] = ()
     joints: tuple[JointDefinition, ...] = ()
     right_handed: bool = False
+    joint: str = ""
 
 
 @dataclass(frozen=True)

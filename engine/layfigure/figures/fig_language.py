@@ -8,6 +8,7 @@
               | NUMBER x 6                                            begin and end of the limb
               | ("flexiondof" | "pivotdof" | "twistdof") MIN MAX      degrees
               | ("xdof" | "ydof" | "zdof") MIN MAX                    degrees; of a joint that turns about its axes
+              | "id" WORD                                             what motions call the joint; else the limb's name
               | "handed" ("left" | "right")                           of all points of the figure, in its first limb
               | "sphere" x y z  radius COLOUR
               | "cylinder" x1 y1 z1  x2 y2 z2  radius COLOUR
@@ -58,7 +59,7 @@ _POINTS = {
     "cube": ("its corner", "the corner's first neighbour", "its second neighbour", "its third neighbour"),
 }
 _DOF_WORDS = tuple(f"{kind}dof" for kind in (*DOF_KINDS, *EULER_KINDS))
-_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed")
+_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed", "id")
 
 
 class ParsedFigure(NamedTuple):
@@ -103,6 +104,7 @@ class _Block:
     volumes: list[Volume] = field(default_factory=list)
     joints: list[JointDefinition] = field(default_factory=list)
     right_handed: bool = False
+    joint_id: str = ""
     seen: dict[str, Word] = field(default_factory=dict)
 
     def limb(self) -> LimbDefinition:
@@ -116,6 +118,7 @@ class _Block:
             tuple(self.volumes),
             tuple(self.joints),
             self.right_handed,
+            self.joint_id,
         )
 
 
@@ -134,6 +137,7 @@ class _Parser:
             "joint": self._joint,
             "mirror": self._mirrored_joint,
             "handed": self._handed,
+            "id": self._joint_id,
             **dict.fromkeys(_DOF_WORDS, self._dof),
             **dict.fromkeys(VOLUME_KINDS, self._volume),
         }
@@ -212,6 +216,15 @@ class _Parser:
         if len(self._open) > 1:
             self._words.fail(word, '"handed" goes for the whole figure; write it in the block of its first limb')
         block.right_handed = self._words.one_of(("left", "right"), "the handedness of all points") == "right"
+
+    def _joint_id(self, block: _Block, word: Word) -> None:
+        self._once(block, "id", word)
+        if len(self._open) == 1:
+            self._words.fail(word, "the first limb hangs on no joint; write id in a limb that has one")
+        given = self._words.take()
+        if given.ends or given.text in "{}":
+            self._words.fail(given, f"found {given} where what motions call this joint should stand, as in: id 5")
+        block.joint_id = given.folded
 
     def _segment(self, block: _Block, first: Word) -> None:
         self._once(block, "segment", first)
