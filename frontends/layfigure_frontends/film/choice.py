@@ -14,16 +14,27 @@ _FINEST = 1001  # the denominator of television's rates
 
 @dataclass(frozen=True)
 class FilmChoice:
-    """What was asked for; None where nothing was. A height alone comes as (None, height)."""
+    """What was asked for; None where nothing was.
+
+    Attributes:
+        size: (width, height) in pixels, (None, height) where only a height was given.
+        rate: pictures per second.
+        part: the first picture and the one before which to stop; None is the end.
+        figure: what a motion moves.
+    """
 
     size: tuple[int | None, int] | None = None
     view: str | None = None
     renderer: str | None = None
     look: str = "full"
     rate: Fraction | None = None
+    part: tuple[int, int | None] | None = None
+    figure: str | None = None
+    dry_run: bool = False
+    no_cache: bool = False
 
 
-def parse_size(text: str) -> tuple[int | None, int]:
+def read_size(text: str | None) -> tuple[int | None, int] | None:
     """Return (None, height) or (width, height) of ``480`` or ``640x480``.
 
     Raises:
@@ -31,6 +42,8 @@ def parse_size(text: str) -> tuple[int | None, int]:
     """
     from layfigure.errors import LayfigureError
 
+    if text is None:
+        return None
     words = text.lower().split("x")
     if not (1 <= len(words) <= 2 and all(word.isdecimal() and len(word) <= 5 for word in words)):
         raise LayfigureError(f'--size is "{text}"; write a height such as 480, or width and height such as 640x480')
@@ -48,7 +61,7 @@ def shaped(size: tuple[int | None, int] | None, usual: Size) -> Size:
     return Size(width or max(round(height * usual.width / usual.height), 1), height)
 
 
-def parse_rate(text: str) -> Fraction:
+def read_rate(text: str | None) -> Fraction | None:
     """Return pictures per second of ``24``, ``23.976`` or ``24000/1001``.
 
     Raises:
@@ -56,6 +69,8 @@ def parse_rate(text: str) -> Fraction:
     """
     from layfigure.errors import LayfigureError
 
+    if text is None:
+        return None
     try:
         rate = Fraction(text[:40]).limit_denominator(_FINEST)
     except (ValueError, ZeroDivisionError):
@@ -65,7 +80,7 @@ def parse_rate(text: str) -> Fraction:
     return rate
 
 
-def parse_part(text: str) -> tuple[int, int | None]:
+def read_part(text: str | None) -> tuple[int, int | None] | None:
     """Return the first picture and the one before which to stop, of ``a:b``; either may be left out.
 
     Raises:
@@ -73,6 +88,8 @@ def parse_part(text: str) -> tuple[int, int | None]:
     """
     from layfigure.errors import LayfigureError
 
+    if text is None:
+        return None
     first, colon, end = text.partition(":")
     if not colon or not all(word == "" or (word.isdecimal() and len(word) <= 9) for word in (first, end)):
         raise LayfigureError(f'--frames is "{text}"; write a:b, from picture a up to but without b, as in 0:24 or 48:')
@@ -93,5 +110,7 @@ def part_of(film: Film, part: tuple[int, int | None] | None) -> Film:
     shown = film.part(first, film.first + len(film) if end is None else end)
     if not len(shown):
         last = film.first + len(film) - 1
-        raise LayfigureError(f"--frames {first}:{'' if end is None else end} holds no picture; there are {film.first} to {last}")
+        raise LayfigureError(
+            f"--frames {first}:{'' if end is None else end} holds no picture; there are {film.first} to {last}"
+        )
     return shown

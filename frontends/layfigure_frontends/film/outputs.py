@@ -31,6 +31,13 @@ class Sink(NamedTuple):
     notes: Callable[[Film], tuple[str, ...]]
 
 
+def moves(output: Path) -> bool:
+    """Return whether a name asks for pictures one after the other: a moving format or numbered pictures."""
+    from layfigure_frontends.film.sinks import frames
+
+    return output.suffix.lower() in MOVING or frames.is_pattern(output)
+
+
 def sink_for(film: Film, output: Path) -> Sink:
     """Return the sink for a name: one picture, a contact sheet, numbered pictures, or a moving format.
 

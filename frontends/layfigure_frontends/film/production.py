@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import layfigure
 from layfigure_frontends.film.outputs import Sink, sink_for
 from layfigure_frontends.film.reel import Film
+from layfigure_frontends.film.sinks import frames
 
 if TYPE_CHECKING:
     from layfigure_frontends.film.cache.store import Store
@@ -36,6 +37,8 @@ def produce(film: Film, output: Path, cache: Path | None = None) -> Produced:
     """
     sink = sink_for(film, output)
     paths = sink.paths(film, output)
+    if frames.is_pattern(output):
+        frames.make_folder(output.parent)
     recalled = False
     if cache is None:
         _write(film, sink, output)
@@ -50,8 +53,6 @@ def remarks(film: Film, output: Path) -> tuple[str, ...]:
     Raises:
         FileError: nothing writes such a name.
     """
-    from layfigure_frontends.film.sinks import frames
-
     said = sink_for(film, output).notes(film)
     strangers = frames.strangers(film, output) if frames.is_pattern(output) else 0
     if strangers:

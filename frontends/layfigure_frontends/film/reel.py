@@ -69,6 +69,7 @@ class Film:
         rate: pictures per second, exactly.
         first: the number of the first picture, from 0: more than 0 in a part of a film.
         telling: sentences about what is shown: scenes, clamps, seams.
+        warnings: sentences that a person should read even if nobody asked.
         identity: what decides the pictures beside what the reels know: renderer, look, theme.
         code: files and folders whose code draws, beside the program's own.
     """
@@ -78,6 +79,7 @@ class Film:
     rate: Fraction
     first: int = 0
     telling: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     identity: tuple[str, ...] = ()
     code: tuple[Path, ...] = ()
 

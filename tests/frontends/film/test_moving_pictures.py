@@ -1,6 +1,7 @@
 """GIF, APNG and WebP, read by the imaging library."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -131,7 +132,7 @@ def test_gif_needs_one_picture_in_memory_at_a_time(film):
             yield picture
 
     gif._write(stream, film, watched(), palette_of(film.chosen([0, 15])))
-    assert all(b > a for a, b in zip(asked, asked[1:], strict=False))
+    assert all(b > a for a, b in pairwise(asked))
 
 
 def test_webp_refuses_what_it_cannot_hold(tmp_path):

@@ -1,9 +1,9 @@
 """MP4: read by PyAV always, by ffprobe where it is installed."""
 
+import importlib.util
 import json
 import shutil
 import subprocess
-import sys
 from fractions import Fraction
 
 import av
@@ -75,7 +75,7 @@ def test_even_sizes_need_no_word(tmp_path, film):
 
 
 def test_without_pyav_it_says_what_to_install(tmp_path, film, monkeypatch):
-    monkeypatch.setitem(sys.modules, "av", None)
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     with pytest.raises(LayfigureError, match=r"pip install 'layfigure\[video\]'"):
         produce(film, tmp_path / "film.mp4")
     assert list(tmp_path.iterdir()) == []

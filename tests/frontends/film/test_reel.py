@@ -1,6 +1,7 @@
 """Films: reels in order, parts of them, and pictures chosen from them."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -34,7 +35,7 @@ def test_chosen_pictures_come_from_the_reels_they_are_in():
 @given(st.integers(1, 500), st.integers(2, 60))
 def test_evenly_chosen_places_ascend_from_the_first_to_the_last_in_like_steps(count, most):
     places = evenly(count, most)
-    steps = {b - a for a, b in zip(places, places[1:], strict=False)}
+    steps = {b - a for a, b in pairwise(places)}
     assert places[0] == 0
     assert places[-1] == count - 1
     assert len(places) == min(count, most)

@@ -48,11 +48,10 @@ def write(film: Film, pictures: Iterator[Pixels], output: Path) -> None:
     """Write the pictures; each is renamed to its place when it is complete.
 
     Raises:
-        FileError: the folder cannot be made or a picture cannot be written.
+        FileError: a picture cannot be written.
     """
     from layfigure_frontends.film.sinks.png import write_picture
 
-    make_folder(output.parent)
     for path, picture in zip(paths(film, output), pictures, strict=True):
         write_picture(picture, path, lasting=False)
 

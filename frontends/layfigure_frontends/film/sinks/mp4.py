@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from layfigure_frontends.film.reel import Film, Size
 
@@ -20,6 +21,7 @@ _ENCODER = {
     "crf": "17",
     "x264-params": "bframes=0:rc-lookahead=0:mbtree=0:subme=0",
 }
+_CODEC: Final = "libx264"
 _BT709 = 1
 _LIMITED = 1
 _SECONDS_BETWEEN_KEYS = 2
@@ -34,21 +36,17 @@ def notes(film: Film) -> tuple[str, ...]:
 
 
 def check() -> None:
-    """Find out whether films can be written.
+    """Find out whether PyAV is there, without importing it: a film that was made before needs it no more.
 
     Raises:
-        LayfigureError: PyAV, or in it an H.264 encoder, is missing.
+        LayfigureError: it is not.
     """
     from layfigure.errors import LayfigureError
 
-    try:
-        import av
-    except ImportError:
+    if importlib.util.find_spec("av") is None:
         raise LayfigureError(
             "writing .mp4 needs PyAV; install it with: pip install 'layfigure[video]' (or write .webp, .gif or .apng)"
-        ) from None
-    if "libx264" not in av.codecs_available:
-        raise LayfigureError("this PyAV has no H.264 encoder (libx264); write .webp, .gif or .apng, or frames/%04d.png")
+        )
 
 
 def write(film: Film, pictures: Iterator[Pixels], path: Path) -> None:
@@ -56,11 +54,16 @@ def write(film: Film, pictures: Iterator[Pixels], path: Path) -> None:
 
     Raises:
         FileError: the file cannot be written.
-        LayfigureError: PyAV is missing.
+        LayfigureError: PyAV, or in it the encoder, is missing.
     """
+    from layfigure.errors import LayfigureError
     from layfigure.files.writing import write_beside
 
     check()
+    import av
+
+    if _CODEC not in av.codecs_available:
+        raise LayfigureError(f"this PyAV has no {_CODEC}; write .webp, .gif or .apng, or frames/%04d.png")
     write_beside(path, lambda place: _write(place, film, pictures))
 
 
@@ -75,7 +78,7 @@ def _write(place: Path, film: Film, pictures: Iterator[Pixels]) -> None:
         with av.open(
             str(place), "w", format="mp4", options={"movflags": "+faststart", "fflags": "+bitexact"}
         ) as container:
-            stream = container.add_stream("libx264", rate=film.rate, options=_ENCODER)
+            stream = container.add_stream(_CODEC, rate=film.rate, options=_ENCODER)
             _describe(stream, film)
             for frame in _frames(film, pictures):
                 container.mux(stream.encode(frame))

@@ -16,7 +16,7 @@ def code_of(host: Host, renderer: str) -> tuple[Path, ...]:
     if record is None:
         return ()
     try:
-        file = Path(inspect.getfile(record.make))  # type: ignore[arg-type]
+        file = Path(inspect.getfile(record.make))
     except (TypeError, OSError):
         return ()
     folder = file.parent
