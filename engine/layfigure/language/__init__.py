@@ -1,0 +1,1 @@
+"""The ``.lay`` script language (animation.md 4)."""
