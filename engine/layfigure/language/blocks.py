@@ -25,7 +25,7 @@ from layfigure.language.marks import (
 )
 from layfigure.language.places import Place
 
-_IN_SCENES = (s.View, s.Background)
+_IN_SCENES = (s.View, s.Floor, s.Background)
 
 
 def nested(items: tuple[Item, ...], end: Place) -> s.Block:

@@ -96,6 +96,10 @@ class Builder(Transformer_NonRecursive[Token, Any]):
         """VIEW POINT = value."""
         return s.View(self._place(found[0]), found[1].lower(), found[-1])
 
+    def floor(self, found: list[Any]) -> s.Floor:
+        """FLOOR height."""
+        return s.Floor(self._place(found[0]), found[1])
+
     def background(self, found: list[Any]) -> s.Background:
         """BACKGROUND objects."""
         return s.Background(self._place(found[0]), tuple(found[1:]))

@@ -7,10 +7,9 @@ from fractions import Fraction
 
 from layfigure.language.limits import Meter
 from layfigure.language.places import Place
-from layfigure.language.values import plain
 from layfigure.motions.keys import Key
 from layfigure.motions.motion import Motion
-from layfigure.motions.numbers import rational
+from layfigure.motions.numbers import rational, written
 
 
 @dataclass(frozen=True)
@@ -82,9 +81,9 @@ def check_ascending(joint: str, row: list[DraftKey]) -> None:
     before = Fraction(-1)
     for number, (place, key) in enumerate((key.place, key.key) for key in row):
         if key.time < 0:
-            raise place.error(f"frame {plain(key.time)} comes before frame 0, where motions begin")
+            raise place.error(f"frame {written(key.time)} comes before frame 0, where motions begin")
         if key.time <= before:
-            frames = f"frame {plain(key.time)} follows frame {plain(before)}"
+            frames = f"frame {written(key.time)} follows frame {written(before)}"
             raise place.error(f"joint {joint}: {frames} in key {number}; frames must ascend")
         before = key.time
 

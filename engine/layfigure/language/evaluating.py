@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -17,7 +16,6 @@ from layfigure.language.scope import Scope
 from layfigure.models import Model
 from layfigure.motions.keys import joint_id
 from layfigure.motions.motion import Motion, synchronize
-from layfigure.motions.standard import STANDARD, Curves
 
 
 @contextmanager
@@ -33,13 +31,12 @@ def blamed(place: Place) -> Iterator[None]:
         raise place.error("a number here is too large; choose smaller numbers") from None
 
 
-@dataclass
 class Evaluator:
-    """Values of expressions in a scope; ``curves`` are the interpolations that motions may name."""
+    """Values of expressions in a scope."""
 
-    scope: Scope
-    meter: Meter
-    curves: Curves = STANDARD
+    def __init__(self, scope: Scope, meter: Meter) -> None:
+        self.scope = scope
+        self.meter = meter
 
     def value(self, node: syntax.Expression) -> Any:
         """Return the value of an expression.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -16,7 +17,7 @@ class Limits:
 
     ``steps`` counts statements and operations, work on long motions by their keys; ``keys`` those of one motion;
     ``pictures`` and ``actors`` (figures in them, backgrounds included) those of all scenes together; ``volumes`` those
-    of one object; ``digits`` those of one number; ``letters`` those of one string, and of all that is printed
+    of all objects that are made; ``digits`` those of one number; ``letters`` those of one string, and of all that is printed
     together a hundred times as many; ``files`` and ``bytes`` what is loaded, and saved, the script included.
     ``outside`` lets a script load from and save to places outside its own folder.
     """
@@ -25,7 +26,7 @@ class Limits:
     keys: int = 50_000
     pictures: int = 2_000
     actors: int = 10_000
-    volumes: int = 250
+    volumes: int = 50_000
     digits: int = 300
     letters: int = 10_000
     files: int = 50
@@ -39,11 +40,7 @@ class Meter:
     def __init__(self, limits: Limits) -> None:
         self.limits = limits
         self.steps = 0
-        self.pictures = 0
-        self.actors = 0
-        self.letters = 0
-        self.files = 0
-        self.bytes = 0
+        self._counts: Counter[str] = Counter()
         self._largest = 10**limits.digits
 
     def step(self, place: Place, count: int = 1) -> None:
@@ -55,17 +52,17 @@ class Meter:
         self.steps += count
         if self.steps > self.limits.steps:
             most = self.limits.steps
-            raise place.error(f"the script takes more than {most} steps; is this loop endless? {raised('steps')}")
+            raise place.error(f"the script takes more than {most} steps; is a loop endless? {raised('steps')}")
 
     def count(self, what: str, number: int, place: Place) -> None:
-        """Count pictures, actors, files or bytes.
+        """Count pictures, actors, volumes, files or bytes.
 
         Raises:
             SourceError: they are more than allowed.
         """
-        setattr(self, what, getattr(self, what) + number)
+        self._counts[what] += number
         most = getattr(self.limits, what)
-        if getattr(self, what) > most:
+        if self._counts[what] > most:
             raise place.error(f"the script takes more than {most} {what}; {raised(what)}")
 
     def number(self, value: int | Fraction, place: Place) -> int | Fraction:
@@ -99,9 +96,9 @@ class Meter:
         Raises:
             SourceError: all that was printed is more than allowed.
         """
-        self.letters += len(value)
+        self._counts["letters"] += len(value)
         most = 100 * self.limits.letters
-        if self.letters > most:
+        if self._counts["letters"] > most:
             raise place.error(f"the script prints more than {most} letters; {raised('letters')}")
         return value
 

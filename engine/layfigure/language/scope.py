@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from layfigure.language import values
+from layfigure.language.drafts import Draft
+from layfigure.language.images import Image
+from layfigure.language.limits import Meter
 from layfigure.language.places import Place
 from layfigure.language.syntax import Identifier
 from layfigure.models import Model
@@ -24,8 +27,14 @@ class Scope:
         self._spelled: dict[str, str] = {}
         self._declared: dict[str, _Declared] = {}
 
-    def copy(self) -> Scope:
-        """Return a scope of the same values whose changes do not show here."""
+    def copy(self, meter: Meter, place: Place) -> Scope:
+        """Return a scope of the same values whose changes do not show here; the work is counted.
+
+        Raises:
+            SourceError: there is too much to copy.
+        """
+        self.settle(meter)
+        meter.step(place, len(self._values))
         scope = Scope()
         scope._values, scope._spelled = dict(self._values), dict(self._spelled)
         scope._declared = dict(self._declared)
@@ -55,8 +64,15 @@ class Scope:
         self._spelled.setdefault(name.name, name.spelled)
         self._values[name.name] = value
 
-    def adopt(self, other: Scope) -> None:
+    def settle(self, meter: Meter) -> None:
+        """Make motions of all drafts."""
+        for name, value in self._values.items():
+            if isinstance(value, Draft):
+                self._values[name] = value.motion(meter)
+
+    def adopt(self, other: Scope, meter: Meter) -> None:
         """Take over every name of another scope that has a value."""
+        other.settle(meter)
         for name, value in other._values.items():
             self._values[name] = value
             self._spelled.setdefault(name, other._spelled[name])
@@ -87,8 +103,8 @@ class Scope:
             SourceError: it stands for something else, or nothing.
         """
         value = self.get(name.name, name.spelled, name.place)
-        if isinstance(value, Model):
-            return value
+        if isinstance(value, Model | Image):
+            return value if isinstance(value, Model) else value.model
         raise name.place.error(f'"{name.spelled}" must be a model, but is {values.kind_of(value)}')
 
     def kind(self, name: str) -> str:

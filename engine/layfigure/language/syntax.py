@@ -268,6 +268,13 @@ class View(Statement):
 
 
 @dataclass(frozen=True, slots=True)
+class Floor(Statement):
+    """FLOOR height: the ground that figures stand on."""
+
+    height: Expression
+
+
+@dataclass(frozen=True, slots=True)
 class Background(Statement):
     """Objects that stand behind."""
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from layfigure.figures.figure import Figure
+from layfigure.language.drafts import Draft
 from layfigure.language.places import Place
 from layfigure.models import LinkOf, Model, Shape
 from layfigure.motions.motion import Motion
@@ -67,7 +68,7 @@ _KINDS: tuple[tuple[type | tuple[type, ...], str], ...] = (
     (Shape, KINDS["graphical"]),
     (Model, KINDS["model"]),
     (LinkOf, "a link of a model"),
-    (Motion, KINDS["motion"]),
+    ((Motion, Draft), KINDS["motion"]),
     (PoseOf, KINDS["pose"]),
 )
 
@@ -82,7 +83,9 @@ def fits(kind: str, value: object) -> bool:
         return isinstance(value, Shape) or kind_of(value) == "a model in its place"
     if kind == "model":
         return isinstance(value, Model) or kind_of(value) == "a model in its place"
-    return {"boolean": bool, "string": str, "motion": Motion, "pose": PoseOf}.get(kind, type(None)) is type(value)
+    if kind == "motion":
+        return isinstance(value, Motion | Draft)
+    return {"boolean": bool, "string": str, "pose": PoseOf}.get(kind, type(None)) is type(value)
 
 
 def whole(value: object, what: str, place: Place) -> int:
