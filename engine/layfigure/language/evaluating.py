@@ -16,6 +16,7 @@ from layfigure.language.scope import Scope
 from layfigure.models import Model
 from layfigure.motions.keys import joint_id
 from layfigure.motions.motion import Motion, synchronize
+from layfigure.motions.standard import STANDARD, Curves
 
 
 @contextmanager
@@ -32,11 +33,12 @@ def blamed(place: Place) -> Iterator[None]:
 
 
 class Evaluator:
-    """Values of expressions in a scope."""
+    """Values of expressions in a scope; ``curves`` are the interpolations that motions may name."""
 
-    def __init__(self, scope: Scope, meter: Meter) -> None:
+    def __init__(self, scope: Scope, meter: Meter, curves: Curves = STANDARD) -> None:
         self.scope = scope
         self.meter = meter
+        self.curves = curves
 
     def value(self, node: syntax.Expression) -> Any:
         """Return the value of an expression.

@@ -21,7 +21,7 @@ from layfigure.motions.motion import Motion
 from layfigure.motions.standard import interpolation
 
 if TYPE_CHECKING:
-    from layfigure.language.filming import Stage
+    from layfigure.language.stage import Stage
 
 
 class Stopped(Exception):  # noqa: N818 - it is no error
@@ -36,7 +36,7 @@ class Executor:
         self.scope = scope
         self.folder = folder
         self.stage = stage
-        self.evaluator = Evaluator(scope, run.meter)
+        self.evaluator = Evaluator(scope, run.meter, run.curves)
 
     def block(self, block: syntax.Block) -> None:
         """Run statements one after another.

@@ -10,7 +10,7 @@ from layfigure.language.limits import Meter
 from layfigure.language.places import Place
 from layfigure.language.scope import Scope
 from layfigure.motions.standard import STANDARD, Curves
-from layfigure.scenes.performing import Performer
+from layfigure.scenes.performing import Stage
 from layfigure.scenes.picture import Shooting
 
 
@@ -34,7 +34,7 @@ class Defined:
 class Run:
     """The state of a run: what was printed, warned of, saved and shot, and the scenes and models in between.
 
-    ``folder`` is the script's own; ``performers`` are the models that have acted, by the names they had.
+    ``folder`` is the script's own.
     """
 
     meter: Meter
@@ -45,8 +45,12 @@ class Run:
     savings: list[Saving] = field(default_factory=list)
     waiting: dict[int, Defined] = field(default_factory=dict)
     shot: list[Shooting] = field(default_factory=list)
-    performers: dict[str, Performer] = field(default_factory=dict)
+    stage: Stage = field(init=False)
     reading: tuple[Path, ...] = ()  # the libraries being read, one inside the other
+
+    def __post_init__(self) -> None:
+        """Set the stage that all scenes share: models keep their orientation from one to the next."""
+        self.stage = Stage(self.curves)
 
     def warn(self, place: Place, sentence: str) -> None:
         """Note what is allowed but seldom meant, once."""

@@ -6,7 +6,7 @@ longest branch; it is bounded when the tree is built, so that walking the tree c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 
 from layfigure.language.places import Place
@@ -156,6 +156,17 @@ class FigureOf(Expression):
     model: Identifier
     by: str  # "", "link" or "joint"
     main: Expression | None
+
+
+def names_in(node: object) -> set[str]:
+    """Return the folded names that an expression reads."""
+    if isinstance(node, Variable | Identifier):
+        return {node.name}
+    if isinstance(node, tuple) and not isinstance(node, Place):
+        return {name for part in node for name in names_in(part)}
+    if isinstance(node, Expression | Modifier):
+        return {name for part in fields(node) for name in names_in(getattr(node, part.name))}
+    return set()
 
 
 @dataclass(frozen=True, slots=True)
