@@ -11,6 +11,8 @@ from layfigure_frontends.film.reel import Film
 if TYPE_CHECKING:
     from layfigure_frontends.opening import PluginChoice
 
+MOTION, SCRIPT = ".motion", ".lay"
+
 
 def open_film(source: Path, output: Path | None, asked: FilmChoice, choice: PluginChoice) -> Film:
     """Return what a file holds as a film that suits an output; nothing is drawn yet.
@@ -23,6 +25,16 @@ def open_film(source: Path, output: Path | None, asked: FilmChoice, choice: Plug
 
 def _whole(source: Path, output: Path | None, asked: FilmChoice, choice: PluginChoice) -> Film:
     from layfigure_frontends.film.outputs import moves
+
+    kind = source.suffix.lower()
+    if kind == MOTION:
+        from layfigure_frontends.film.sources import motions
+
+        return motions.film_of_file(source, asked, choice)
+    if kind == SCRIPT:
+        from layfigure_frontends.film.sources import scripts
+
+        return scripts.film_of_file(source, asked, choice)
     from layfigure_frontends.film.sources import poses
 
     return poses.film_of_file(source, asked, choice, loop=output is None or moves(output))

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure_frontends.film.choice import FilmChoice
+from layfigure_frontends.film.opening import MOTION, SCRIPT
 from layfigure_frontends.film.outputs import moves
 from layfigure_frontends.film.sinks import frames
 from layfigure_frontends.film.sources.poses import options_for, session_on
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from layfigure_frontends.opening import PluginChoice
 
 SET = ".poses"
-FILMS = (".motion", ".lay")
 
 
 def draw_stills(source: Path, output: Path, asked: FilmChoice, choice: PluginChoice) -> list[Path]:
@@ -30,7 +30,7 @@ def draw_stills(source: Path, output: Path, asked: FilmChoice, choice: PluginCho
     from layfigure.session.picture_file import save_picture
 
     kind = source.suffix.lower()
-    if moves(output) or kind in FILMS or (kind == SET and output.suffix):
+    if moves(output) or kind in (MOTION, SCRIPT) or (kind == SET and output.suffix):
         return []
     session = session_on(source, asked, choice)
     poses: tuple[Pose, ...] = (session.document.pose,)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from layfigure.drawing.camera import Camera, as_matrix, fixed_view
-from layfigure.drawing.render_list import PLAIN, RECOMMENDED, SMOOTH
+from layfigure.drawing.render_list import LOOKS
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.session.layout import three_views
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 VIEWS = ("main", "right", "top")
 SEEN = {"main": "in the main view", "right": "from the right", "top": "from the top"}
-LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
 
 
 class OrbitMode(Plain):
