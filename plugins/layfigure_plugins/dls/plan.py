@@ -65,11 +65,11 @@ def ancestors_of(figure: Figure) -> tuple[frozenset[int], ...]:
 
 
 def degrees_of_freedom(figure: Figure, limb: int) -> int:
-    """Return the bits 1 flexion, 2 pivot, 4 twist of what a limb's joint can do; the root can do all."""
+    """Return the bits 1 flexion, 2 pivot, 4 twist, or x, y, z, of what a limb's joint can do; the root can do all."""
     if limb == 0:
         return 7
-    flexion, pivot, twist = figure.arrays.has_dof[limb]
-    return int(flexion) + 2 * int(pivot) + 4 * int(twist)
+    first, second, third = figure.arrays.has_dof[limb]
+    return int(first) + 2 * int(second) + 4 * int(third)
 
 
 def plan_of(figure: Figure, problem: Problem, ancestors: tuple[frozenset[int], ...]) -> Plan:
@@ -90,7 +90,8 @@ def plan_of(figure: Figure, problem: Problem, ancestors: tuple[frozenset[int], .
             moved = ((k, reach.ends(problem.tasks[k], limb)) for k in order)
             pairs += [(k, ends) for k, ends in moved if ends]
         dofs = degrees_of_freedom(figure, limb) if len(pairs) > first else 0
-        links.append((limb, dofs, first, len(pairs), column))
+        parametrisation = layout.IN_XYZ if dofs and figure.arrays.euler[limb] else 0
+        links.append((limb, dofs | parametrisation, first, len(pairs), column))
         column += dofs.bit_count()
     return Plan(_table(links, 5), _table(pairs, 2), tasks, musts, rows, column, problem.root_moves)
 

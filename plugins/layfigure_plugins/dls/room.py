@@ -38,10 +38,14 @@ class FigureTable:
         determinants = np.linalg.det(arrays.frames)[:, None, None]
         rows[:, m.FRAME : m.TURNS] = np.rint(arrays.frames * determinants).reshape(count, 9)
         rows[:, m.TURNS : m.LIMITS] = self.free
+        self.xyz = np.asarray(arrays.euler)
+        rows[:, m.XYZ] = self.xyz
         middle = np.clip(self.limits, -_ROUND_TURN, _ROUND_TURN).mean(axis=2) / _UNITS
         middle[0] = 0.0
         rows[:, m.TARGET : m.TARGET + 3] = _half_vectors(middle)
         rows[:, m.TARGET + 3] = np.radians(middle[:, 2])
+        rows[self.xyz, m.TARGET : m.TARGET + 3] = np.radians(self.limits[self.xyz].mean(axis=2) / _UNITS)
+        self.round = self.xyz[:, None] & (np.ptp(self.limits, axis=2) >= 2.0 * _ROUND_TURN)
         rows[1:, m.PULLED] = 1.0
         rows[:, m.STIFF] = 1.0
 
@@ -54,15 +58,20 @@ def _half_vectors(swings: Floats) -> Floats:
 
 
 def _committed_limits(figure: Figure) -> Floats:
-    """Return limits (n, 3, 2) in whole millionths of a degree; those of a free twist are infinite."""
+    """Return limits (n, 3, 2) in whole millionths of a degree; those of a free twist are infinite.
+
+    Joints in x, y, z keep theirs, however wide: their angles are not wrapped.
+    """
     limits = figure.arrays.limits.copy()
     limits[0] = -180.0, 180.0
     limits = np.stack([np.ceil(limits[..., 0] * _UNITS - 1e-3), np.floor(limits[..., 1] * _UNITS + 1e-3)], axis=-1)
     free = (limits[:, 2, 0] <= -_ROUND_TURN) & (limits[:, 2, 1] >= _ROUND_TURN)
+    in_xyz = limits[figure.arrays.euler]
     limits = np.clip(limits, -_ROUND_TURN, _ROUND_TURN)
     # -180 is committed as 180, which only a joint that may turn there can have
     limits[:, 2, 0] = np.maximum(limits[:, 2, 0], -_ROUND_TURN + 1.0)
     limits[free, 2] = -np.inf, np.inf
+    limits[figure.arrays.euler] = in_xyz
     return limits
 
 
@@ -109,6 +118,7 @@ def _write_limits(table: FigureTable, pose: Pose, body: Floats) -> None:
     """Write the limits, stretched to where the pose is outside them: a joint may go no farther out."""
     now = np.rint(pose.angles * _UNITS)[..., None]
     limits = np.concatenate([np.minimum(table.limits[..., :1], now), np.maximum(table.limits[..., 1:], now)], axis=-1)
+    stretched = limits.copy()
     other = np.where(table.free[:, :2], 0.0, _ROUND_TURN - np.abs(now[:, :2, 0]))
     for this, missing in ((0, 1), (1, 0)):  # a value of a freedom that does not exist still takes part of the domain
         room = np.where(table.free[:, missing], _ROUND_TURN, other[:, missing])[:, None]
@@ -117,6 +127,22 @@ def _write_limits(table: FigureTable, pose: Pose, body: Floats) -> None:
     half = np.sin(np.radians(limits[:, :2] / _UNITS) / 2.0)
     body[:, m.LIMITS : m.LIMITS + 4] = half.reshape(-1, 4)
     body[:, m.LIMITS + 4 : m.LIMITS + 6] = np.radians(limits[:, 2] / _UNITS)
+    if table.xyz.any():
+        _write_xyz_limits(table, pose, body, stretched)
+
+
+def _write_xyz_limits(table: FigureTable, pose: Pose, body: Floats, limits: Floats) -> None:
+    """Write the limits (n, 3, 2) of joints in x, y, z: boxes, but what can turn all the way round is free to.
+
+    Such an angle has no middle either; it is pulled to where it was.
+    """
+    xyz = table.xyz
+    body[xyz, m.DEGREES : m.DEGREES + 6] = limits[xyz].reshape(-1, 6)
+    radians = np.radians(limits / _UNITS)
+    radians[table.round] = -np.inf, np.inf
+    body[xyz, m.LIMITS : m.LIMITS + 6] = radians[xyz].reshape(-1, 6)
+    targets = body[:, m.TARGET : m.TARGET + 3]
+    targets[table.round] = np.radians(pose.angles[table.round])
 
 
 def turning(task: Task) -> bool:

@@ -91,7 +91,7 @@ class Drag:
 
     def pose(self) -> Pose:
         """Return the pose that the last step or solve arrived at."""
-        return Pose.of(self.angles(), self._room.knobs[layout.ROOT : layout.ROOT + 3])
+        return Pose.of(self.angles(), self._room.knobs[layout.ROOT : layout.ROOT + 3], self._pose.euler)
 
     def angles(self) -> Floats:
         """Return that pose's committed angles (n, 3) in degrees; the next call overwrites them."""

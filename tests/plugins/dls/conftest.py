@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from tests.plugins.axis_figures import AXIS_FIGURES, axis_figure
 
 from layfigure.figures.library import load_figure
 from layfigure.kinematics.forward import place
@@ -13,13 +14,13 @@ from layfigure.poses.pose import Pose
 from layfigure.techniques.solving import PositionTask, Problem
 from layfigure_plugins.dls.solver import DampedLeastSquares
 
-FIGURES = ("hand", "horse", "humanoid", "juxo", "robotarm", "spider")
+FIGURES = ("hand", "horse", "humanoid", "juxo", "robotarm", "spider", *AXIS_FIGURES)
 
 
 @cache
 def kit_of(name: str) -> SimpleNamespace:
     """Return a figure, its solver, and what tests ask about them."""
-    figure = load_figure(name)
+    figure = axis_figure(name) if name in AXIS_FIGURES else load_figure(name)
     limits = figure.arrays.limits
 
     def tips(pose: Pose) -> np.ndarray:
@@ -30,7 +31,7 @@ def kit_of(name: str) -> SimpleNamespace:
         angles = np.zeros((len(figure.limbs), 3))
         for limb in limbs:
             angles[limb] = np.where(figure.arrays.has_dof[limb], rng.uniform(*limits[limb].T) * share, 0.0)
-        return Pose.of(angles)
+        return Pose.of(angles, euler=figure.arrays.euler)
 
     def problem(ends, positions, movable=frozenset(figure.movable), **settings) -> Problem:
         tasks = tuple(PositionTask(end, tuple(map(float, at))) for end, at in zip(ends, positions, strict=True))

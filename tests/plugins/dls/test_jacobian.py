@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.plugins.axis_figures import AXIS_FIGURES
 from tests.plugins.dls.conftest import kit_of
 
 from layfigure.kinematics.forward import place
@@ -31,7 +32,14 @@ def tips_after(kit, angles, limb, axis, twist):
     return tips_of(kit.figure, place(kit.figure, moved, np.zeros(3)))
 
 
-@pytest.mark.parametrize("name", ["humanoid", "horse", "hand", "robotarm"])
+def tips_after_an_axis(kit, angles, limb, column, radians):
+    """Return the tips after a small turn of one of a joint's angles x, y, z."""
+    moved = angles.copy()
+    moved[limb, column] += np.degrees(radians)
+    return tips_of(kit.figure, place(kit.figure, moved, np.zeros(3)))
+
+
+@pytest.mark.parametrize("name", ["humanoid", "horse", "hand", "robotarm", *AXIS_FIGURES])
 def test_the_jacobian_is_the_derivative_of_the_reference(name):
     kit = kit_of(name)
     rng = np.random.default_rng(5)
@@ -44,12 +52,16 @@ def test_the_jacobian_is_the_derivative_of_the_reference(name):
     drag.step(np.empty((0, 3)))
     room, checked = drag._room, 0
     for limb, dofs, first, last, column in links.tolist():
-        for q in range(dofs.bit_count()):
-            twisting = bool(dofs & 4) and q == dofs.bit_count() - 1
+        kinds = [bit for bit in range(3) if dofs >> bit & 1]
+        for q, kind in enumerate(kinds):
+            twisting = kind == 2
             axis = room.body[limb, layout.AXES + 3 * q : layout.AXES + 3 * q + 3]
             swing = np.zeros(3) if twisting else STEP * axis
             there, back = (
-                tips_after(kit, pose.angles, limb, sign * swing, sign * STEP * twisting) for sign in (1.0, -1.0)
+                tips_after_an_axis(kit, pose.angles, limb, kind, sign * STEP)
+                if dofs & layout.IN_XYZ
+                else tips_after(kit, pose.angles, limb, sign * swing, sign * STEP * twisting)
+                for sign in (1.0, -1.0)
             )
             change = (there - back) / (2.0 * STEP)
             for pair in range(first, last):
@@ -73,7 +85,7 @@ print(json.dumps(answers()))
 def answers():
     """Return what a few solves and drags arrive at."""
     found = []
-    for name in ("humanoid", "spider"):
+    for name in ("humanoid", "spider", "puppet"):
         kit = kit_of(name)
         rng = np.random.default_rng(8)
         ends = [kit.figure.movable[-1], kit.figure.movable[2]]

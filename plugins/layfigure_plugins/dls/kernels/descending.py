@@ -35,6 +35,7 @@ from layfigure_plugins.dls.kernels.layout import (
     FLOOR,
     FRESH,
     GOING,
+    IN_XYZ,
     KEPT,
     LEFT,
     MENDING,
@@ -71,6 +72,7 @@ from layfigure_plugins.dls.kernels.layout import (
 )
 from layfigure_plugins.dls.kernels.placing import measure, place_links
 from layfigure_plugins.dls.kernels.stepping import settle
+from layfigure_plugins.dls.kernels.xyz import range_of_xyz
 
 
 @jit()
@@ -280,28 +282,36 @@ def _reseed(links: Any, pairs: Any, tasks: Any, goals: Any, body: Any, seed: int
         j, dofs = links[i, 0], links[i, 1]
         if j == 0 or not _fails(links[i], pairs, tasks, goals):
             continue
+        hinge = dofs in (1, 2, IN_XYZ + 1, IN_XYZ + 2, IN_XYZ + 4)
         for d in range(3):
             count += 1
-            if not dofs >> d & 1:
-                continue
-            low = max(body[j, DEGREES + 2 * d], -STRAIGHT) * UNIT  # a free twist has no limits
-            high = min(body[j, DEGREES + 2 * d + 1], STRAIGHT) * UNIT
-            at = body[j, STATE + 3] if d == 2 else 2.0 * math.asin(min(max(body[j, STATE + 2 * d], -1.0), 1.0))
-            if seed < 2:
-                bend = 0.6 * (seed + 1)
-                if dofs != 1 and dofs != 2:
-                    continue
-                if at >= high - 1e-6:
-                    at = max(at - bend, low)
-                elif at <= low + 1e-6:
-                    at = min(at + bend, high)
-            else:
-                share = 0.5 + (seed - 2) * (0.6180339887498949 + 0.2360679774997897 * count)
-                at = low + (high - low) * (0.1 + 0.8 * (share - math.floor(share)))
-            if d == 2:
-                body[j, STATE + 3] = at
-            else:
-                body[j, STATE + 2 * d] = math.sin(at / 2.0)
-        if dofs & 3:
+            if dofs >> d & 1 and (hinge or seed >= 2):
+                _move_elsewhere(body, j, dofs, (d, seed, count))
+        if dofs & 3 and not dofs & IN_XYZ:
             settle(body, j, body[j, STATE], 0.0, body[j, STATE + 2])
         body[j, FLAGS] = 0.0
+
+
+@jit()
+def _move_elsewhere(body: Any, j: int, dofs: int, which: Any) -> None:
+    """Move one degree of freedom elsewhere; ``which`` is its number, the seed, and its place in the sequence."""
+    d, seed, count = which
+    low = max(body[j, DEGREES + 2 * d], -STRAIGHT) * UNIT  # a free twist has no limits
+    high = min(body[j, DEGREES + 2 * d + 1], STRAIGHT) * UNIT
+    column, angle = STATE + 2 * d, False  # what is not an angle is the sine of half of one
+    if dofs & IN_XYZ:
+        column, angle = STATE + d, True
+        low, high = range_of_xyz(body, j, d)
+    elif d == 2:
+        column, angle = STATE + 3, True
+    at = body[j, column] if angle else 2.0 * math.asin(min(max(body[j, column], -1.0), 1.0))
+    if seed < 2:
+        bend = 0.6 * (seed + 1)
+        if at >= high - 1e-6:
+            at = max(at - bend, low)
+        elif at <= low + 1e-6:
+            at = min(at + bend, high)
+    else:
+        share = 0.5 + (seed - 2) * (0.6180339887498949 + 0.2360679774997897 * count)
+        at = low + (high - low) * (0.1 + 0.8 * (share - math.floor(share)))
+    body[j, column] = at if angle else math.sin(at / 2.0)

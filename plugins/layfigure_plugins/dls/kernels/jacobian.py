@@ -19,6 +19,7 @@ from layfigure_plugins.dls.kernels.layout import (
     AXES,
     DIRECTION,
     FLAGS,
+    IN_XYZ,
     MOVE,
     ORIENTATION,
     ORIGIN,
@@ -27,12 +28,16 @@ from layfigure_plugins.dls.kernels.layout import (
     TIP,
     WORLD,
 )
+from layfigure_plugins.dls.kernels.xyz import confine_xyz, write_xyz_axes
 
 
 @jit()
 def write_axes(links: Any, body: Any, i: int) -> None:
-    """Write a joint's axes in canonical space, swing first, then twist."""
+    """Write a joint's axes in canonical space, swing first, then twist; or x, y and z."""
     j, dofs, n = links[i, 0], links[i, 1], AXES
+    if dofs & IN_XYZ:
+        write_xyz_axes(body, j, dofs)
+        return
     x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
     if dofs & 3 == 3:  # two unit vectors across h and each other; which ones does not matter
         a = -1.0 / (1.0 + w)
@@ -118,6 +123,9 @@ def free_swing(body: Any, j: int) -> Any:
 @jit()
 def confine(body: Any, j: int, dofs: int) -> None:
     """Take out of a joint's moves what its flags forbid."""
+    if dofs & IN_XYZ:
+        confine_xyz(body, j, dofs)
+        return
     n, flags = (dofs & 1) + (dofs >> 1 & 1), int(body[j, FLAGS])
     if n == 2 and flags & 7:
         a, b = free_swing(body, j)

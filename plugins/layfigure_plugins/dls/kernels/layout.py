@@ -1,10 +1,10 @@
 """What stands where in the arrays that kernels work on, and the numbers that steer them.
 
-``links`` has a row for each limb that may matter, parents first: limb, degrees of freedom (1 flexion, 2 pivot,
-4 twist), first pair, end of its pairs, first column. ``pairs`` has a row for each joint and task that it moves: task,
-and whether it moves the task's limb (1), the other limb (2) or both (3), in the order of the tasks' rows. ``tasks``:
-kind, limb, other limb (-1: none), first row, rows, whether it is a must; the musts' rows come first, and what nothing
-moves has none.
+``links`` has a row for each limb that may matter, parents first: limb, degrees of freedom (1 flexion, 2 pivot, 4 twist;
+or 1 x, 2 y, 4 z and ``IN_XYZ``), first pair, end of its pairs, first column. ``pairs`` has a row for each joint and
+task that it moves: task, and whether it moves the task's limb (1), the other limb (2) or both (3), in the order of the
+tasks' rows. ``tasks``: kind, limb, other limb (-1: none), first row, rows, whether it is a must; the musts' rows come
+first, and what nothing moves has none.
 ``jacobian`` has a row for each column of the Jacobian, with three places for each of the joint's pairs, and one to
 spare; ``normal`` is J J' with two more rows, for what tasks want and for the answer y.
 """
@@ -19,11 +19,12 @@ LOAD, DRAG, SOLVE, COMMIT = range(4)
 
 # Columns of ``body``, one row per limb: what it is, what its joint may do, what it does.
 PARENT, JOINT, END, FRAME, TURNS, LIMITS, DEGREES, TARGET, PULLED, STIFF = 0, 1, 4, 7, 16, 19, 25, 31, 35, 36
-STATE, KEPT, START, BEST, TURN, ORIGIN, TIP, AXES, WORLD, FLAGS, MOVE, PUSH = (
+STATE, KEPT, START, BEST, TURN, ORIGIN, TIP, AXES, WORLD, FLAGS, MOVE, PUSH, XYZ = (
     *(37, 41, 45, 49),
-    *(53, 62, 65, 68, 77, 86, 87, 90),
+    *(53, 62, 65, 68, 77, 86, 87, 90, 93),
 )
-BODY_COLUMNS = 93
+BODY_COLUMNS = 94
+IN_XYZ = 8  # among a link's degrees of freedom: they are angles about x, y, z
 # Columns of ``goals``, one row per task: nine numbers of the goal, among them the point nearby that stands for a place
 # far away, then these.
 NEARBY, SCALE, ERROR, TOLERANCE, ALONG, ACROSS, FAR, GOAL_COLUMNS = 3, 9, 10, 11, 12, 15, 21, 22

@@ -22,6 +22,7 @@ from layfigure_plugins.dls.kernels.layout import (
     FLAGS,
     GOING,
     HORIZON,
+    IN_XYZ,
     LOAD,
     OFFSET,
     POSITION,
@@ -35,22 +36,22 @@ from layfigure_plugins.dls.kernels.layout import (
     TURNS,
     UNIT,
     WORST,
+    XYZ,
     Work,
 )
 from layfigure_plugins.dls.kernels.placing import bring_near, measure, place
 from layfigure_plugins.dls.kernels.stepping import iterate
+from layfigure_plugins.dls.kernels.xyz import commit_xyz, take_angles
 
 
 @jit()
 def _load(body: Any, knobs: Any, angles: Any) -> None:
     """Take every limb's state from a pose's angles in degrees, and place all limbs."""
     for j in range(body.shape[0]):
-        turn = np.pi / 360.0
-        f, p = angles[j, 0] * body[j, TURNS], angles[j, 1] * body[j, TURNS + 1]
-        left, right = max(180.0 - abs(f + p), 0.0) * turn, max(180.0 - abs(f - p), 0.0) * turn
-        body[j, STATE], body[j, STATE + 2] = math.sin(f * turn), math.sin(p * turn)
-        body[j, STATE + 1] = math.sqrt(math.sin(left) * math.sin(right))
-        body[j, STATE + 3] = angles[j, 2] * body[j, TURNS + 2] * 2.0 * turn
+        if body[j, XYZ] > 0.0:
+            take_angles(body, j, angles[j])
+        else:
+            _take_swing(body, j, angles[j])
         body[j, FLAGS] = 0.0
         for k in range(4):
             body[j, START + k] = body[j, STATE + k]
@@ -60,10 +61,24 @@ def _load(body: Any, knobs: Any, angles: Any) -> None:
 
 
 @jit()
+def _take_swing(body: Any, j: int, angles: Any) -> None:
+    """Take limb j's state from its flexion, pivot and twist (3,) in degrees."""
+    turn = np.pi / 360.0
+    f, p = angles[0] * body[j, TURNS], angles[1] * body[j, TURNS + 1]
+    left, right = max(180.0 - abs(f + p), 0.0) * turn, max(180.0 - abs(f - p), 0.0) * turn
+    body[j, STATE], body[j, STATE + 2] = math.sin(f * turn), math.sin(p * turn)
+    body[j, STATE + 1] = math.sqrt(math.sin(left) * math.sin(right))
+    body[j, STATE + 3] = angles[2] * body[j, TURNS + 2] * 2.0 * turn
+
+
+@jit()
 def _commit(links: Any, body: Any, angles: Any) -> None:
     """Write the joints' angles in whole millionths of a degree, inside limits and domain whatever was rounded."""
     for i in range(links.shape[0]):
         j, dofs = links[i, 0], links[i, 1]
+        if dofs & IN_XYZ:
+            commit_xyz(body, j, dofs, angles[j])
+            continue
         x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
         flexion, pivot = 2.0 * math.atan2(x, math.hypot(w, z)) / UNIT, 2.0 * math.atan2(z, math.hypot(x, w)) / UNIT
         limits = body[j, DEGREES : DEGREES + 6]

@@ -33,15 +33,20 @@ from layfigure_plugins.dls.kernels.layout import (
     TURN,
     WORLD,
     WORST,
+    XYZ,
 )
+from layfigure_plugins.dls.kernels.xyz import turn_of
 
 
 @jit()
 def place(body: Any, knobs: Any, j: int) -> None:
     """Write limb j's turn, origin and tip from its state and its parent's placement; see ``kernels.placing``."""
-    x, w, z, turn = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2], body[j, STATE + 3]
-    cosine, sine = math.cos(turn / 2.0), math.sin(turn / 2.0)
-    a, b, c, qw = z * cosine + x * sine, w * sine, z * sine - x * cosine, w * cosine
+    if body[j, XYZ] > 0.0:
+        a, b, c, qw = turn_of(body, j)
+    else:
+        x, w, z, turn = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2], body[j, STATE + 3]
+        cosine, sine = math.cos(turn / 2.0), math.sin(turn / 2.0)
+        a, b, c, qw = z * cosine + x * sine, w * sine, z * sine - x * cosine, w * cosine
     qx = body[j, FRAME] * a + body[j, FRAME + 1] * b + body[j, FRAME + 2] * c
     qy = body[j, FRAME + 3] * a + body[j, FRAME + 4] * b + body[j, FRAME + 5] * c
     qz = body[j, FRAME + 6] * a + body[j, FRAME + 7] * b + body[j, FRAME + 8] * c

@@ -22,6 +22,7 @@ from layfigure_plugins.dls.kernels.layout import (
     EXPECTED,
     FLAGS,
     FLOOR,
+    IN_XYZ,
     LIMITS,
     MOVE,
     MUSTS,
@@ -43,6 +44,7 @@ from layfigure_plugins.dls.kernels.layout import (
     TARGET,
 )
 from layfigure_plugins.dls.kernels.placing import place_links
+from layfigure_plugins.dls.kernels.xyz import move_xyz, write_xyz_pulls, xyz_leaves
 
 
 @jit()
@@ -93,6 +95,9 @@ def _assemble(work: Any) -> None:
     for i in range(links.shape[0]):
         j, dofs, at = links[i, 0], links[i, 1], links[i, 4]
         n, flags = (dofs & 1) + (dofs >> 1 & 1), int(body[j, FLAGS])
+        if dofs & IN_XYZ:
+            _add_xyz(work, i, musts)
+            continue
         if flags & 7 == 0:
             for q in range(n):
                 _add_column(links, work.pairs, work.tasks, jacobian, normal, (i, at + q, musts), body[j, STIFF])
@@ -105,6 +110,20 @@ def _assemble(work: Any) -> None:
             _add_column(links, work.pairs, work.tasks, jacobian, normal, (i, at + n, musts), body[j, STIFF])
     if work.knobs[ROOT_STIFF] > 0.0:
         _add_root(work, musts)
+
+
+@jit()
+def _add_xyz(work: Any, i: int, musts: int) -> None:
+    """Add the columns of a joint that turns about x, y and z: those whose limits do not hold them."""
+    links, body, column = work.links, work.body, work.links[i, 4]
+    j, dofs = links[i, 0], links[i, 1]
+    for d in range(3):
+        if dofs >> d & 1:
+            if not int(body[j, FLAGS]) >> d & 1:
+                _add_column(
+                    links, work.pairs, work.tasks, work.jacobian, work.normal, (i, column, musts), body[j, STIFF]
+                )
+            column += 1
 
 
 @jit()
@@ -221,8 +240,20 @@ def _write_pushes(work: Any) -> None:
 def _write_push(work: Any, i: int, soft: bool) -> None:
     """Write how a joint would move by the pull to its middle and by the soft tasks, if the musts were not."""
     links, body = work.links, work.body
-    j, dofs, pull, t = links[i, 0], links[i, 1], work.knobs[PULL] * work.body[links[i, 0], PULLED], TARGET
-    n = (dofs & 1) + (dofs >> 1 & 1)
+    j, dofs, pull = links[i, 0], links[i, 1], work.knobs[PULL] * work.body[links[i, 0], PULLED]
+    if dofs & IN_XYZ:
+        write_xyz_pulls(body, j, dofs, pull)
+    else:
+        _write_pulls(body, j, dofs, pull)
+    for q in range((dofs & 1) + (dofs >> 1 & 1) + (dofs >> 2 & 1)):
+        move = body[j, PUSH + q] + (_along(work, i, q, True) if soft else 0.0)
+        body[j, PUSH + q], body[j, MOVE + q] = move, move
+
+
+@jit()
+def _write_pulls(body: Any, j: int, dofs: int, pull: float) -> None:
+    """Write how a share ``pull`` of the way to a joint's target swings and twists it."""
+    n, t = (dofs & 1) + (dofs >> 1 & 1), TARGET
     x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
     a, b = 2.0 * pull * (w * body[j, t + 2] - z * body[j, t + 1]), 2.0 * pull * (z * body[j, t] - x * body[j, t + 2])
     c = 2.0 * pull * (x * body[j, t + 1] - w * body[j, t])
@@ -230,9 +261,7 @@ def _write_push(work: Any, i: int, soft: bool) -> None:
         move = pull * (body[j, t + 3] - body[j, STATE + 3])
         if q < n:
             move = a * body[j, AXES + 3 * q] + b * body[j, AXES + 3 * q + 1] + c * body[j, AXES + 3 * q + 2]
-        if soft:
-            move += _along(work, i, q, True)
-        body[j, PUSH + q], body[j, MOVE + q] = move, move
+        body[j, PUSH + q] = move
 
 
 @jit()
@@ -257,7 +286,7 @@ def _write_moves(work: Any) -> Any:
         count, before = (dofs & 1) + (dofs >> 1 & 1) + (dofs >> 2 & 1), int(body[j, FLAGS])
         for q in range(count):
             body[j, MOVE + q] = _along(work, i, q, False) + body[j, PUSH + q]
-        flags = _leaves(body, j, dofs)
+        flags = xyz_leaves(body, j, dofs) if dofs & IN_XYZ else _leaves(body, j, dofs)
         body[j, FLAGS] = flags
         changed = changed or flags != before
         confine(body, j, dofs)
@@ -301,6 +330,9 @@ def _leaves(body: Any, j: int, dofs: int) -> int:
 @jit()
 def _move(body: Any, j: int, dofs: int, scale: float) -> None:
     """Turn a joint by its moves, and no farther than its limits."""
+    if dofs & IN_XYZ:
+        move_xyz(body, j, dofs, scale)
+        return
     n, flags = (dofs & 1) + (dofs >> 1 & 1), int(body[j, FLAGS])
     if n:
         x, w, z = body[j, STATE], body[j, STATE + 1], body[j, STATE + 2]
