@@ -91,7 +91,9 @@ def repeated(motion: Motion, count: object, place: Place, meter: Meter) -> Motio
     """
     if not isinstance(count, int) or count < 0:
         shown = "negative" if isinstance(count, int) else "no whole number"
-        message = f"a motion is repeated a whole number of times, but this number is {shown}; <SCALE FRAMES s> stretches it"
+        message = (
+            f"a motion is repeated a whole number of times, but this number is {shown}; <SCALE FRAMES s> stretches it"
+        )
         raise place.error(message)
     keys = count * max(motion.key_count, len(motion.marks), 1)
     meter.keys(keys, place)

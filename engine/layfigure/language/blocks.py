@@ -268,7 +268,9 @@ class _Nesting:
         joints: list[s.JointOf] = []
         for item in self._inside(head, "STARTMODEL", Word.ENDMODEL):
             if not isinstance(item, s.ModelJoint):
-                raise item.place.error("a joint of a model is: JOINT id, link, point, link, point and up to three ranges")
+                raise item.place.error(
+                    "a joint of a model is: JOINT id, link, point, link, point and up to three ranges"
+                )
             joints.append(item.joint)
         return s.ModelBlock(head.place, head.name, tuple(joints))
 
@@ -334,5 +336,3 @@ def _opener(word: Word) -> str:
 def _place(item: Item) -> Place:
     assert not isinstance(item, Separator)
     return item.place
-
-

@@ -154,7 +154,9 @@ class Executor:
             if name in draft.keys:
                 raise joint.place.error(f"joint {name} stands here for the second time; put its keys together")
             if joint.position is not None or not keys:
-                position = self._position(joint.position, joint.place) if joint.position is not None else (exact(0),) * 3
+                position = (
+                    self._position(joint.position, joint.place) if joint.position is not None else (exact(0),) * 3
+                )
                 draft.set(name, 0, DraftKey(joint.place, Key(exact(0), position)))
             for number, key in enumerate(keys, start=1):
                 draft.set(name, number, DraftKey(key.place, self._key(key.frame, key.position, key.how)))

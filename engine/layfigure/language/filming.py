@@ -88,9 +88,7 @@ def _placed(shots: list[_Picture]) -> list[ScenePicture]:
     actors = _actors([take for shot in shots for take in shot.takes])
     shown = [(*shot.behind, *(next(actors) for _ in shot.takes)) for shot in shots]
     cameras = framed([(shot.point, shot.target, shot.width) for shot in shots], shown)
-    return [
-        ScenePicture(who, camera, shot.floor) for who, camera, shot in zip(shown, cameras, shots, strict=True)
-    ]
+    return [ScenePicture(who, camera, shot.floor) for who, camera, shot in zip(shown, cameras, shots, strict=True)]
 
 
 def _actors(takes: list[Take]) -> Iterator[Actor]:

@@ -119,7 +119,9 @@ def _at(a: Arguments) -> tuple[Number, ...]:
     """at(motion, frame, joint): where a joint stands, exactly; (0, 0, 0) where it is silent."""
     joint, motion = a.joint(2), a.motion(0)
     if joint not in motion.tracks:
-        raise a.at(2).error(f"this motion does not move joint {joint}; it moves {', '.join(motion.joints[:12]) or 'none'}")
+        raise a.at(2).error(
+            f"this motion does not move joint {joint}; it moves {', '.join(motion.joints[:12]) or 'none'}"
+        )
     states = motion.strip(joint).states(a.number(1), a.evaluator.curves)
     found = states[joint] if joint in states else None
     if found is None:

@@ -48,7 +48,9 @@ class Scope:
         """
         before = self._declared.setdefault(name.name, _Declared(kind, name.place.line))
         if before.kind != kind:
-            message = f'"{name.spelled}" was declared as {before.kind.upper()} in line {before.line}; choose another name'
+            message = (
+                f'"{name.spelled}" was declared as {before.kind.upper()} in line {before.line}; choose another name'
+            )
             raise name.place.error(message)
         if name.name in self._values:
             self._check(name, self._values[name.name])
@@ -116,5 +118,7 @@ class Scope:
         declared = self._declared.get(name.name)
         if declared and not values.fits(declared.kind, value):
             kind = values.KINDS[declared.kind]
-            message = f'"{name.spelled}" was declared in line {declared.line} to hold {kind}, not {values.kind_of(value)}'
+            message = (
+                f'"{name.spelled}" was declared in line {declared.line} to hold {kind}, not {values.kind_of(value)}'
+            )
             raise name.place.error(message)
