@@ -18,7 +18,7 @@ class Limits:
     ``steps`` counts statements and operations, work on long motions by their keys; ``keys`` those of one motion;
     ``pictures`` and ``actors`` (figures in them, backgrounds included) those of all scenes together; ``volumes`` those
     of all objects that are made; ``digits`` those of one number; ``letters`` those of one string, and of all that is printed
-    together a hundred times as many; ``files`` and ``bytes`` what is loaded, and saved, the script included.
+    together a hundred times as many; ``loads`` and ``bytes`` the files that are loaded and saved, the script included.
     ``outside`` lets a script load from and save to places outside its own folder.
     """
 
@@ -29,7 +29,7 @@ class Limits:
     volumes: int = 50_000
     digits: int = 300
     letters: int = 10_000
-    files: int = 50
+    loads: int = 50
     bytes: int = 1_000_000
     outside: bool = False
 

@@ -77,7 +77,7 @@ def _found(what: str, folder: Path) -> Path:
 
 def _count(executor: Executor, path: Path, place: Place) -> None:
     """Count a file and its bytes before it is read."""
-    executor.run.meter.count("files", 1, place)
+    executor.run.meter.count("loads", 1, place)
     try:
         size = path.stat().st_size
     except (OSError, ValueError):

@@ -40,7 +40,7 @@ def saving(executor: Executor, node: syntax.Save) -> Saving:
         run.meter.step(place, value.key_count)
     with blamed(place):
         text = _text(value, path)
-    run.meter.count("files", 1, place)
+    run.meter.count("loads", 1, place)
     run.meter.count("bytes", len(text), place)
     return Saving(path, text)
 
