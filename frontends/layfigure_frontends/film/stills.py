@@ -9,7 +9,6 @@ from layfigure_frontends.film.choice import FilmChoice
 from layfigure_frontends.film.opening import MOTION, SCRIPT
 from layfigure_frontends.film.outputs import moves
 from layfigure_frontends.film.sinks import frames
-from layfigure_frontends.film.sources.poses import options_for, session_on
 
 if TYPE_CHECKING:
     from layfigure.poses.pose import Pose
@@ -26,12 +25,13 @@ def draw_stills(source: Path, output: Path, asked: FilmChoice, choice: PluginCho
     Raises:
         LayfigureError: the source cannot be opened or the output cannot be written.
     """
-    from layfigure.poses.pose_set import load_poses
-    from layfigure.session.picture_file import save_picture
-
     kind = source.suffix.lower()
     if moves(output) or kind in (MOTION, SCRIPT) or (kind == SET and output.suffix):
         return []
+    from layfigure.poses.pose_set import load_poses
+    from layfigure.session.picture_file import save_picture
+    from layfigure_frontends.film.sources.poses import options_for, session_on
+
     session = session_on(source, asked, choice)
     poses: tuple[Pose, ...] = (session.document.pose,)
     paths = [output]

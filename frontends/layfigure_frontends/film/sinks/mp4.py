@@ -111,6 +111,6 @@ def _frames(film: Film, pictures: Iterator[Pixels]) -> Iterator[VideoFrame]:
         padded = np.pad(picture, padding, mode="edge") if width * height != picture.size else picture
         bytes_ = np.ascontiguousarray(padded, dtype="<u4").view(np.uint8).reshape(height, width, 4)
         frame = av.VideoFrame.from_numpy_buffer(bytes_, format="bgra")
-        frame = reformatter.reformat(frame, width, height, "yuv420p", dst_colorspace=_BT709)
+        frame = reformatter.reformat(frame, width, height, "yuv420p", dst_colorspace=_BT709, threads=1)
         frame.pts, frame.time_base = number, 1 / film.rate
         yield frame
