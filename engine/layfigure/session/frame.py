@@ -237,7 +237,11 @@ class Sign:
 
 @dataclass(frozen=True)
 class Frame:
-    """Everything to show on a surface of ``size``. ``cursor`` is ``arrow``, ``hand``, ``grab`` or ``cross``."""
+    """Everything to show on a surface of ``size``. ``cursor`` is ``arrow``, ``hand``, ``grab`` or ``cross``.
+
+    Two frames with the same ``page`` have views of candidates that look the same, so that one that is painted over the
+    other may leave them as they are.
+    """
 
     size: Size
     panes: tuple[Pane, ...]
@@ -252,3 +256,4 @@ class Frame:
     title: str = "Layfigure"
     text_input: bool = False
     theme: str = field(default="dark")
+    page: int = 0

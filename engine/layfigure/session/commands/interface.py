@@ -9,6 +9,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.library import figure_names
 from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
+from layfigure.motions.numbers import written
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
@@ -112,6 +113,9 @@ def _cancel(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     if len(session.modes) > 1:
         session.modes.pop()
+    elif session.view.passing is not None:
+        session.playback.give_up()
+        session.say(f"Back at frame {written(session.document.playhead)}, where play began.")
     else:
         session.view = replace(session.view, selected=())
 
@@ -174,16 +178,16 @@ def _plugin(session: Session, words: tuple[str, ...]) -> None:
 
 
 COMMANDS = (
-    Command("help", "Show the keys, or say what a command does", _help, "[COMMAND]"),
-    Command("palette", "Type a command", _palette),
+    Command("help", "Show the keys, or say what a command does", _help, "[COMMAND]", passive=True),
+    Command("palette", "Type a command", _palette, passive=True),
     Command("figures", "Choose another figure", _figures),
     Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal|store|recall"),
-    Command("cancel", "Let go", _cancel),
-    Command("accept", "Do what is typed", _accept),
-    Command("complete", "Complete the word", _complete),
-    Command("row", "Choose another row", _row, "ROWS"),
-    Command("erase", "Erase a character", _erase),
-    Command("scroll", "Scroll the help", _scroll, "LINES"),
+    Command("cancel", "Let go", _cancel, passive=True),
+    Command("accept", "Do what is typed", _accept, passive=True),
+    Command("complete", "Complete the word", _complete, passive=True),
+    Command("row", "Choose another row", _row, "ROWS", passive=True),
+    Command("erase", "Erase a character", _erase, passive=True),
+    Command("scroll", "Scroll the help", _scroll, "LINES", passive=True),
     Command("plugin", "Load a plug-in file, or load it again", _plugin, "FILE"),
-    Command("quit", "Quit", _quit),
+    Command("quit", "Quit", _quit, passive=True),
 )
