@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -19,11 +19,13 @@ from layfigure.drawing.render_list import RenderList
 from layfigure.drawing.shots import Colouring, Shot, build_render_list
 from layfigure.drawing.sticks import without_balls
 from layfigure.figures.figure import Figure
-from layfigure.motions.standard import Curves
 from layfigure.poses.pose import Pose
 from layfigure.session.document import Document
 from layfigure.session.moments import after, before, key_frames, poses_at
 from layfigure.session.theme import ViewTheme
+
+if TYPE_CHECKING:
+    from layfigure.motions.standard import Curves
 
 EACH_SIDE = 2
 KEYS = "keys"
@@ -36,11 +38,14 @@ class Ghosts(NamedTuple):
     after: tuple[Pose, ...] = ()
 
 
+NONE = Ghosts()
+
+
 def ghosts_of(document: Document, onion: str, curves: Curves) -> Ghosts:
     """Return the ghosts of a document: of the keys beside the playhead, or of frames ``onion`` and twice that away."""
     motion, here = document.motion, document.playhead
     if motion is None or not onion:
-        return Ghosts()
+        return NONE
     if onion == KEYS:
         keys = key_frames(document)
         earlier, later = before(keys, here, EACH_SIDE), after(keys, here, EACH_SIDE)
@@ -57,12 +62,12 @@ class GhostKeeper:
 
     def __init__(self) -> None:
         self._asked: tuple[object, object, Fraction, str] | None = None
-        self._found = Ghosts()
+        self._found = NONE
 
     def of(self, document: Document, onion: str, curves: Curves) -> Ghosts:
         """Return :func:`ghosts_of` a document."""
         if not onion:
-            return Ghosts()
+            return NONE
         asked = (document.motion, document.pose, document.playhead, onion)
         known = self._asked
         if known is None or any(a is not b for a, b in zip(asked[:2], known[:2], strict=True)) or asked != known:
@@ -75,7 +80,7 @@ class Scenery:
     """What stands behind the figures of a picture: the theme's colours, and ghosts in the working pose's views."""
 
     theme: ViewTheme
-    ghosts: Ghosts = Ghosts()
+    ghosts: Ghosts = NONE
 
 
 def ghost_lists(figure: Figure, scenery: Scenery, shots: Sequence[Shot]) -> Iterator[RenderList]:

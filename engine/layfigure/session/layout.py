@@ -19,7 +19,7 @@ UNIT: Scale = (1.0, 1.0)
 
 
 class Areas(NamedTuple):
-    """The areas of a window in pixels. ``page`` is empty where no candidates are shown, ``time_line`` without motion."""
+    """The areas of a window in pixels. ``page`` is empty without candidates, ``time_line`` without a motion."""
 
     page: Rectangle
     poser: Rectangle

@@ -10,13 +10,15 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
-from layfigure.motions.sampling import sample
-from layfigure.motions.standard import STANDARD, Curves
+from layfigure.motions.joints import joints_of as joints_in
+from layfigure.motions.keys import PLACE
+from layfigure.poses.locks import anew
 from layfigure.session.document import Document
 
 if TYPE_CHECKING:
     from layfigure.figures.figure import Figure
     from layfigure.motions.motion import Motion
+    from layfigure.motions.standard import Curves
     from layfigure.plugins.host import Host
     from layfigure.poses.pose import Pose
 
@@ -37,29 +39,34 @@ def motion_of(document: Document) -> Motion:
 
 def known_curves(host: Host) -> Curves:
     """Return every interpolation there is: the engine's own and those of plug-ins."""
+    from layfigure.motions.standard import STANDARD
+
     return {**STANDARD, **host.interpolations}
 
 
-def poses_at(document: Document, frames: Sequence[Fraction], curves: Curves = STANDARD) -> tuple[Pose, ...]:
+def poses_at(document: Document, frames: Sequence[Fraction], curves: Curves) -> tuple[Pose, ...]:
     """Return the poses at some frames of the motion; joints that it does not name stand as in the present pose.
 
     Raises:
         ImpossibleError: there is no motion.
         LayfigureError: it uses an interpolation that is not known.
     """
+    from layfigure.motions.sampling import sample  # not before a motion is there: a window has to open quickly
+
     motion, start = motion_of(document), document.pose
-    if "place" in motion.tracks:
+    if PLACE in motion.tracks:
         start = replace(start, translation=0 * start.translation)
     sampled = sample(document.figure, motion, list(frames), start, curves)
     return tuple(sampled.pose(index) for index in range(len(frames)))
 
 
-def at_frame(document: Document, frame: Fraction, curves: Curves = STANDARD) -> Document:
-    """Return the document with the playhead on a frame and its pose what the motion shows there.
+def at_frame(document: Document, frame: Fraction, curves: Curves) -> Document:
+    """Return the document with the playhead on a frame and its pose what the motion shows there, its locks with it.
 
     The techniques' states are those from before; :meth:`Workshop.set_pose` tells them.
     """
-    return replace(document, playhead=frame, pose=poses_at(document, [frame], curves)[0])
+    (pose,) = poses_at(document, [frame], curves)
+    return replace(document, playhead=frame, pose=pose, locks=anew(document.figure, pose, document.locks))
 
 
 def key_frames(document: Document, limbs: Sequence[int] = ()) -> tuple[Fraction, ...]:
@@ -79,10 +86,9 @@ def _key_frames(motion: Motion, joints: frozenset[str] | None) -> tuple[Fraction
 
 def joints_of(figure: Figure, limbs: Sequence[int]) -> tuple[str, ...]:
     """Return the joint ids that limbs move by; the root is turned, and carried."""
-    found: dict[str, None] = {}
-    for limb in limbs:
-        found.update(dict.fromkeys(("root", "place") if limb == 0 else (figure.limbs[limb].joint,)))
-    return tuple(found)
+    chosen = frozenset(limbs)
+    found = (joint for joint, moved in joints_in(figure).items() if not chosen.isdisjoint(moved))
+    return (*found, PLACE) if 0 in chosen else tuple(found)
 
 
 def before(frames: Sequence[Fraction], frame: Fraction, count: int = 1) -> tuple[Fraction, ...]:

@@ -66,8 +66,6 @@ class Picture:
             and (self.frame.size, self.frame.theme) == (other.frame.size, other.frame.theme)
             and len(self.poses) == len(other.poses)
             and all(self.poses[shot.pose] is other.poses[shot.pose] for shot in mine)
-            and all(
-                (self.colouring.styles[shot.pose] == other.colouring.styles[shot.pose]).all() for shot in mine
-            )
+            and all((self.colouring.styles[shot.pose] == other.colouring.styles[shot.pose]).all() for shot in mine)
             and self.colouring.thin == other.colouring.thin
         )

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from layfigure.errors import ImpossibleError
+from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.numbers import written
 from layfigure.session.document import Document
 from layfigure.session.moments import at_frame, known_curves, motion_of
@@ -31,6 +31,7 @@ class Playback:
         self._since: tuple[float, float] | None = None  # seconds, and the frame that was due then
         self._pace = 0.0  # frames a second
         self.ticking = False
+        self.parts: list[str] = []  # of a packed motion that a log is giving line by line
 
     @property
     def shown(self) -> Document:
@@ -65,6 +66,14 @@ class Playback:
 
     def tick(self, now: float) -> None:
         """Show the frame that is due at ``now``, in monotonic seconds; at the end begin again, or stop."""
+        try:
+            self._go_on(now)
+        except LayfigureError as error:  # such as an interpolation whose plug-in has fallen out
+            self.give_up()
+            self._session.say(str(error))
+            self._session.revision += 1
+
+    def _go_on(self, now: float) -> None:
         if not self._session.view.playing:
             return
         if self._since is None or self._pace != self._frames_a_second():

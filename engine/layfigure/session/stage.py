@@ -15,7 +15,7 @@ from layfigure.drawing.palette import load_palette
 from layfigure.drawing.picking import limbs_inside, pick
 from layfigure.drawing.render_list import Look, Rectangle, Style
 from layfigure.drawing.shots import Colouring, Shot, shot_rows
-from layfigure.errors import ImpossibleError
+from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.kinematics.forward import place_pose
 from layfigure.poses.locks import locked_joints, tips_of
 from layfigure.poses.pose import Pose
@@ -34,8 +34,8 @@ from layfigure.session.layout import (
     three_views,
 )
 from layfigure.session.metrics import Metrics, metrics
-from layfigure.session.panel import PanelText, panel
 from layfigure.session.moments import known_curves
+from layfigure.session.panel import PanelText, panel
 from layfigure.session.picture import Picture
 from layfigure.session.signs import drawn, lock_marks, overlay_lines, technique_marks
 from layfigure.session.time_line import time_line_widgets
@@ -100,7 +100,11 @@ class Stage:
         """Return what stands behind the figures; while a motion plays there are no ghosts, which would hide it."""
         session = self._session
         onion = "" if session.view.playing else session.view.onion
-        return Scenery(session.theme, self._ghosts.of(shown, onion, known_curves(session.host)))
+        try:
+            return Scenery(session.theme, self._ghosts.of(shown, onion, known_curves(session.host)))
+        except LayfigureError as error:  # such as an interpolation whose plug-in has fallen out
+            session.say(str(error))
+            return Scenery(session.theme)
 
     def _paged(self, picture: Picture) -> Picture:
         """Return a picture that says in its frame whether its page looks as in the picture before."""

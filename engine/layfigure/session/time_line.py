@@ -74,7 +74,7 @@ def time_line(shown: Document, track: Rectangle, number: int, view: ViewState) -
     """Return the time line of a document; ``number`` is the room in pixels for a number on it, 0 for none."""
     motion = shown.motion
     assert motion is not None
-    last = max(motion.duration, shown.playhead, 1)
+    last = max(motion.duration, shown.playhead, Fraction(1))
     mine, of_any = key_frames(shown, view.selected), key_frames(shown)
     chosen = frozenset(mine)
     return TimeLine(
