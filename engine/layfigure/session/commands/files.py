@@ -161,7 +161,7 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _motion_path(path: Path, name: str) -> Path | None:
-    """Return the motion file that a name means: in the folder, or else one that is shipped; None: it means no motion."""
+    """Return the motion file that a name means: in the folder, else one that is shipped; None: it means no motion."""
     own = path.with_suffix(MOTION)
     if path.suffix not in ("", MOTION):
         return None
