@@ -135,10 +135,11 @@ class JointCircle:
 class TimeLine:
     """A motion's frames from left to right; pressing or dragging along the track goes to the frame under the pointer.
 
-    ``track`` is where frames lie: 0 in the middle of its first pixel, ``last`` in that of its last; the motion ends at
-    ``end``, which lies before ``last`` where the ``playhead`` has been taken beyond. ``keys`` are the frames of keys of
-    the selected limbs, or of any; ``others`` those of the rest. ``marks`` are (frame, name). A number is worth
-    writing at every so many frames as ``every`` says, 0 where there is no room for numbers.
+    The ``rectangle`` is the strip it stands in, with room for other widgets at the left. ``track`` is where frames lie:
+    0 in the middle of its first pixel, ``last`` in that of its last; the motion ends at ``end``, which lies before
+    ``last`` where the ``playhead`` has been taken beyond. ``keys`` are the frames of keys of the selected limbs, or of
+    any; ``others`` those of the rest. ``marks`` are (frame, name). A number is worth writing at every so many frames as
+    ``every`` says, 0 where there is no room for numbers.
     """
 
     rectangle: Rectangle

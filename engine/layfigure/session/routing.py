@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 LEFT, RIGHT = 1, 3
+BESIDE = 8  # layout units left of the first frame that are the first frame's
 
 
 def route(session: Session, event: Event) -> None:
@@ -124,7 +125,7 @@ def _widget_pressed(session: Session, widget: Widget, event: PointerEvent) -> Se
         case SliderBar():
             line = slider_line(widget, event.x)
             return [Push(SliderDrag(widget, line)), Preview(line)]
-        case TimeLine():
+        case TimeLine(track=track) if event.x >= track.x - BESIDE * session.stage.size.scale:
             return [Push(TimeLineDrag(widget)), Scrub(widget.frame_at(event.x))]
         case JointBall() | JointCircle() if not (isinstance(widget, JointCircle) and widget.column < 0):
             line = dial_line(widget, event.x, event.y)

@@ -136,7 +136,7 @@ class Stage:
 
     def widget_at(self, x: float, y: float) -> Widget | None:
         """Return the widget under a point that is not a label."""
-        widgets = self.picture.frame.widgets
+        widgets = reversed(self.picture.frame.widgets)  # what is painted last lies on top
         return next((w for w in widgets if not isinstance(w, Label) and w.rectangle.contains(x, y)), None)
 
     def limb_at(self, pane: Pane, x: float, y: float) -> int | None:
@@ -258,10 +258,10 @@ class Stage:
                 yield Label(place_of_name, self._view_name(pane.view), "small")
         heading = Rectangle(place.poser.x, place.poser.y, place.poser.width, round(of.title * unit))
         yield Label(heading, self._heading(shown), "title")
-        yield from time_line_widgets(self._session, place.time_line, size)
         widgets = panel(Column(place.panel, unit, of), self._panel_text(offer, size), self._session.key_for)
         bottom = place.panel.y + place.panel.height
         yield from (w for w in widgets if of.overflow or w.rectangle.y + w.rectangle.height <= bottom)
+        yield from time_line_widgets(self._session, place.time_line, size)
 
     def _asked(self, size: Size) -> Asked:
         """Return what a surface has room for, and the view that is shown where there is room for one only."""

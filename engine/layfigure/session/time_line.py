@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -24,7 +25,7 @@ MOST_KEYS = 2000
 
 
 def time_line_widgets(session: Session, strip: Rectangle, size: Size) -> Iterator[Widget]:
-    """Yield what stands in the strip; nothing where there is no motion."""
+    """Yield what stands in the strip, the time line below the others; nothing where there is no motion."""
     shown, view, of, unit = session.playback.shown, session.view, metrics(size), size.scale
     if shown.motion is None:
         return
@@ -32,12 +33,12 @@ def time_line_widgets(session: Session, strip: Rectangle, size: Size) -> Iterato
     margin, gap = round(of.margin_x * unit), round(of.gap_x * unit)
     button, text = _parts(strip, of, unit, low=low)
     title = "Pause" if view.playing else "Play"
-    yield Button(button, title, "play", session.key_for("play"), active=view.playing)
-    yield from _words(shown, view, text, two=text.height >= round(2 * of.limb * unit))
     left = text.x + text.width + gap
     track = Rectangle(left, strip.y, max(strip.x + strip.width - margin - left, 2), strip.height)
     numbers = 0 if low and of.grain == 1 else round(of.time_number * unit)
-    yield time_line(shown, track, numbers, session.view)
+    yield replace(time_line(shown, track, numbers, session.view), rectangle=strip)
+    yield Button(button, title, "play", session.key_for("play"), active=view.playing)
+    yield from _words(shown, view, text, two=text.height >= round(2 * of.limb * unit))
 
 
 def _parts(strip: Rectangle, of: Metrics, unit: float, *, low: bool) -> tuple[Rectangle, Rectangle]:

@@ -21,8 +21,8 @@ EDGE = 5  # how far the groove goes beyond the first frame and the last
 
 def paint_time_line(canvas: Canvas, line: TimeLine) -> None:
     """Paint a time line; where it is too low for numbers, without them."""
-    box = line.rectangle
-    canvas.surface.set_clip(pygame.Rect(box).inflate(2 * canvas.pixels(EDGE + 2), 0))
+    box = line.track
+    canvas.surface.fill(canvas.theme.window, line.rectangle)
     top = canvas.pixels(NUMBERS) if line.every else 0
     middle = box.y + top + (box.height - top) // 2
     _groove(canvas, line, middle)
@@ -50,14 +50,15 @@ def _groove(canvas: Canvas, line: TimeLine, middle: int) -> None:
 
 def _numbers(canvas: Canvas, line: TimeLine, middle: int) -> None:
     """Frame numbers with a tick below each; none under the playhead, which has its own."""
-    width, top = canvas.pixels(44), line.rectangle.y + canvas.pixels(2)
+    width, top = canvas.pixels(44), line.track.y + canvas.pixels(2)
     playhead = line.x_of(line.playhead)
     for frame in range(0, int(line.last) + 1, line.every):
         x = round(line.x_of(frame))
         canvas.surface.fill(canvas.theme.border, (x, middle - canvas.pixels(8), 1, canvas.pixels(16)))
         if abs(x - playhead) > canvas.pixels(30):
-            box = Rectangle(x - width // 2, top, width, canvas.pixels(NUMBERS))
-            canvas.text(box, str(frame), SMALL, canvas.theme.faint, "centre")
+            room = _within(line, Rectangle(x - width // 2, top, width, canvas.pixels(NUMBERS)), canvas.pixels(EDGE))
+            align = "centre" if room.x == x - width // 2 else "right"
+            canvas.text(room, str(frame), SMALL, canvas.theme.faint, align)
 
 
 def _flag(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) -> None:
@@ -77,7 +78,7 @@ def _flag(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) 
 
 def _playhead(canvas: Canvas, line: TimeLine, middle: int) -> None:
     """A line from top to bottom; where there are numbers, with the frame's own on a tag."""
-    x, box = round(line.x_of(line.playhead)), line.rectangle
+    x, box = round(line.x_of(line.playhead)), line.track
     width = max(canvas.pixels(2), 1)
     canvas.surface.fill(canvas.theme.accent, (x - width // 2, box.y + 1, width, box.height - 2))
     if not line.every:
@@ -85,10 +86,15 @@ def _playhead(canvas: Canvas, line: TimeLine, middle: int) -> None:
         return
     text = f"{line.playhead:.4g}"
     wide = canvas.width(text, SMALL) + canvas.pixels(10)
-    left = min(max(x - wide // 2, box.x - canvas.pixels(EDGE)), box.x + box.width + canvas.pixels(EDGE) - wide)
-    tag = Rectangle(left, box.y + canvas.pixels(1), wide, canvas.pixels(NUMBERS + 1))
+    centred = Rectangle(x - wide // 2, box.y + canvas.pixels(1), wide, canvas.pixels(NUMBERS + 1))
+    tag = _within(line, centred, canvas.pixels(EDGE))
     shapes.rounded(canvas.surface, tag, canvas.pixels(4), canvas.theme.accent)
     canvas.text(tag, text, SMALL, canvas.theme.on_accent, "centre")
+
+
+def _within(line: TimeLine, box: Rectangle, edge: int) -> Rectangle:
+    """Return a box moved so that it ends no further right than the line and its edge."""
+    return box._replace(x=min(box.x, line.track.x + line.track.width + edge - box.width))
 
 
 @lru_cache(maxsize=16)

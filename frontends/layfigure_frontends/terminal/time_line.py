@@ -10,8 +10,9 @@ KEY, OTHER, MARK, HEAD = "◆", "◇", "▴", "│"
 
 def paint_time_line(paper: Paper, line: TimeLine) -> None:
     """Paint a time line; what stands in the same cell hides the other: playhead, key, another's key, mark, number."""
-    theme, box = paper.theme, line.rectangle
+    theme, box = paper.theme, line.track
     ground = Tone(theme.faint, theme.raised)
+    paper.fill(line.rectangle, paper.tone())
     end = int(line.x_of(line.end)) - box.x
     shown = ["─" if column <= end else "·" for column in range(box.width)]
     tones = [ground] * box.width
@@ -33,15 +34,17 @@ def paint_time_line(paper: Paper, line: TimeLine) -> None:
 
 
 def _numbers(line: TimeLine, shown: list[str]) -> None:
-    """Write frame numbers right of where their frames are, those that fit."""
+    """Write frame numbers right of where their frames are, those that nothing else would hide in part."""
     if not line.every:
         return
+    signs = (*line.keys, *line.others, line.playhead, *(frame for frame, _ in line.marks))
+    taken = {_column(line, frame) for frame in signs}
     for frame in range(0, int(line.last) + 1, line.every):
         text, column = str(frame), _column(line, frame) + (frame > 0)
-        if column + len(text) <= len(shown):
+        if column + len(text) <= len(shown) and taken.isdisjoint(range(column, column + len(text))):
             shown[column : column + len(text)] = text
 
 
 def _column(line: TimeLine, frame: float) -> int:
     """Return in which cell of the line a frame lies."""
-    return min(max(int(line.x_of(frame)) - line.rectangle.x, 0), line.rectangle.width - 1)
+    return min(max(int(line.x_of(frame)) - line.track.x, 0), line.track.width - 1)
