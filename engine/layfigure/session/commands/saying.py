@@ -11,6 +11,7 @@ from layfigure.session.commands.interface import shown_commands
 from layfigure.session.describing import freedom
 from layfigure.session.frame import HelpOverlay
 from layfigure.session.modes import HelpMode, help_page
+from layfigure.session.telling_motion import key_rows
 from layfigure.session.words import no_more, one_of
 from layfigure.wording.anatomy import anatomy
 from layfigure.wording.changes import change_words
@@ -113,15 +114,20 @@ def _command_rows(session: Session) -> Rows:
     return tuple((f"{name} {command.usage}".strip(), command.title) for name, command in commands)
 
 
+def _motion_rows(session: Session) -> Rows:
+    return tuple(key_rows(session.document))
+
+
 _LISTS = {
     "limbs": _limb_rows,
     "candidates": _candidate_rows,
     "techniques": _technique_rows,
+    "motion": _motion_rows,
     "commands": _command_rows,
 }
 
 COMMANDS = (
     Command("describe", "Say the pose or a candidate in words", _describe, "[CANDIDATE]"),
     Command("where", "Say where the end of a limb is", _where, "LIMB"),
-    Command("list", "List what there is to name", _list, "limbs|candidates|techniques|commands|keys"),
+    Command("list", "List what there is to name", _list, "limbs|candidates|techniques|motion|commands|keys"),
 )
