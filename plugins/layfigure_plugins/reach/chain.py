@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from layfigure.figures.figure import Figure
+from layfigure.figures.figure import Figure, Limb
 from layfigure.poses.pose import Pose
+from layfigure_plugins.reach.axis_joint import AxisJoint
 from layfigure_plugins.reach.joint import Angles, Joint, inner_twin
 from layfigure_plugins.reach.vectors import (
     IDENTITY,
@@ -24,6 +25,13 @@ from layfigure_plugins.reach.vectors import (
 Stance = dict[int, Angles]
 """The angles of every joint that may turn, by limb."""
 
+AnyJoint = Joint | AxisJoint
+
+
+def joint_of(limb: Limb, start: Angles) -> AnyJoint:
+    """Return the joint of a limb, of the parametrisation that it declares."""
+    return AxisJoint(limb, start) if limb.euler else Joint(limb, start)
+
 
 @dataclass(frozen=True)
 class Link:
@@ -34,7 +42,7 @@ class Link:
     """
 
     limb: int
-    joint: Joint
+    joint: AnyJoint
     arm: Vector
     bend: Matrix
     reach: float
@@ -82,17 +90,17 @@ class Skeleton:
             limb = self.figure.limbs[limb].parent
         return found[::-1]
 
-    def joints(self, pose: Pose, limbs: frozenset[int]) -> tuple[dict[int, Joint], Stance]:
+    def joints(self, pose: Pose, limbs: frozenset[int]) -> tuple[dict[int, AnyJoint], Stance]:
         """Return those of ``limbs`` that have a joint, and how they stand in a pose."""
         turning = [limb for limb in sorted(limbs) if limb == 0 or self.figure.limbs[limb].movable]
         stance = {limb: self._angles(pose, limb) for limb in turning}
-        return {limb: Joint(self.figure.limbs[limb], stance[limb]) for limb in turning}, stance
+        return {limb: joint_of(self.figure.limbs[limb], stance[limb]) for limb in turning}, stance
 
     def _angles(self, pose: Pose, limb: int) -> Angles:
-        flexion, pivot, twist = pose.angles[limb].tolist()
-        return inner_twin(self.figure.limbs[limb], (flexion, pivot, twist))
+        first, second, third = pose.angles[limb].tolist()
+        return inner_twin(self.figure.limbs[limb], (first, second, third))
 
-    def chain(self, pose: Pose, limb: int, joints: dict[int, Joint]) -> Chain:
+    def chain(self, pose: Pose, limb: int, joints: dict[int, AnyJoint]) -> Chain:
         """Return the chain of ``joints`` that ends in the tip of ``limb``; for the root that is its origin."""
         frame, place = IDENTITY, (0.0, 0.0, 0.0)
         pieces: list[tuple[int, Vector, Matrix]] = []  # from the joint named to the next one
@@ -106,7 +114,7 @@ class Skeleton:
                 above, frame, place = current, IDENTITY, (0.0, 0.0, 0.0)
             else:
                 standing = self._angles(pose, current)
-                frame = product(frame, Joint(self.figure.limbs[current], standing).rotation(standing))
+                frame = product(frame, joint_of(self.figure.limbs[current], standing).rotation(standing))
             frame = product(frame, transpose(canonical))
         pieces.append((above, add(place, apply(frame, self._ends[limb])), frame))
         links = tuple(Link(index, joints[index], arm, bend, length(arm)) for index, arm, bend in pieces[1:])

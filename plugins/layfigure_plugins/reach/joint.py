@@ -53,9 +53,9 @@ class Joint:
         if self.has[0] and self.has[1]:
             return (*self._swing_both((flexion, pivot), _unit(w), _unit(aim)), twist)
         if self.has[0]:
-            ideal = _degrees(w[1] * aim[0] - w[0] * aim[1], w[0] * aim[0] + w[1] * aim[1], flexion)
+            ideal = degrees(w[1] * aim[0] - w[0] * aim[1], w[0] * aim[0] + w[1] * aim[1], flexion)
             return (self._nearest(0, ideal, flexion), pivot, twist)
-        ideal = _degrees(w[1] * aim[2] - w[2] * aim[1], w[1] * aim[1] + w[2] * aim[2], pivot)
+        ideal = degrees(w[1] * aim[2] - w[2] * aim[1], w[1] * aim[1] + w[2] * aim[2], pivot)
         return (flexion, self._nearest(1, ideal, pivot), twist)
 
     def twist(self, angles: Angles, arm: Vector, aim: Vector) -> Angles:
@@ -63,7 +63,7 @@ class Joint:
         flexion, pivot, twist = angles
         swung = self.rotation((flexion, pivot, 0.0))
         x, z = _column(swung, 0, aim), _column(swung, 2, aim)
-        ideal = _degrees(arm[2] * x - arm[0] * z, arm[0] * x + arm[2] * z, twist)
+        ideal = degrees(arm[2] * x - arm[0] * z, arm[0] * x + arm[2] * z, twist)
         return (flexion, pivot, self._nearest(2, ideal, twist))
 
     def _nearest(self, kind: int, ideal: float, at: float) -> float:
@@ -169,7 +169,7 @@ class Joint:
 def inner_twin(limb: Limb, angles: Angles) -> Angles:
     """Return a joint's angles, on the equator as the twin that lies inside the limits where only that one does."""
     flexion, pivot, twist = angles
-    if abs(flexion) + abs(pivot) != 180.0 or limb.index == 0:
+    if abs(flexion) + abs(pivot) != 180.0 or limb.index == 0 or limb.euler:
         return angles
     limits = limb_limits(limb)[:2]
     twin = (0.0 - flexion, 0.0 - pivot)
@@ -242,8 +242,8 @@ def _column(m: Matrix, column: int, v: Vector) -> float:
     return m[column] * v[0] + m[3 + column] * v[1] + m[6 + column] * v[2]
 
 
-def _degrees(sine: float, cosine: float, otherwise: float) -> float:
-    """Return the angle of a sine and cosine of any scale, or ``otherwise`` where there is none to speak of."""
+def degrees(sine: float, cosine: float, otherwise: float) -> float:
+    """Return the degrees of a sine and cosine of any scale, or ``otherwise`` where there is no angle to speak of."""
     return math.degrees(math.atan2(sine, cosine)) if math.hypot(sine, cosine) > 1e-9 else otherwise
 
 

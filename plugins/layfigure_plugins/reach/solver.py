@@ -112,4 +112,4 @@ def _posed(pose: Pose, before: Place, place: Place) -> Pose:
     for limb, at in place.stance.items():
         if at != before.stance[limb]:
             angles[limb] = at
-    return Pose.of(angles, place.root)
+    return pose.with_angles(angles, place.root)
