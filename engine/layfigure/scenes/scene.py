@@ -71,13 +71,15 @@ class Scene:
         """Return this scene's pictures; whoever has been on the stage begins in the orientation it was left in."""
         stage.begin(self.length)
         keys = _keys(self.cast)
+        props = None if callable(self.background) else tuple(_prop(prop) for prop in self.background)
         columns = [self._act(stage.performer(key, part.who), part) for key, part in zip(keys, self.cast, strict=True)]
         pictures = []
         for first in range(0, self.length, self.same_frame):
             images = range(first, min(first + self.same_frame, self.length))
             actors = [column[image] for image in images for column in columns]
             camera = _at(self.camera, first)
-            pictures.append(ScenePicture((*self._props(images), *actors), camera, self.floor))
+            behind = self._moving_props(images) if props is None else props
+            pictures.append(ScenePicture((*behind, *actors), camera, self.floor))
         return stage.finish(self.number, pictures)
 
     def _act(self, performer: Performer, part: Part) -> list[Actor]:
@@ -91,11 +93,9 @@ class Scene:
         places = [_at(part.place, frame) for frame in range(self.length)]
         return performer.actors(angles, carried, places)
 
-    def _props(self, images: range) -> list[Actor]:
-        """Return the background of a picture; what does not change is drawn once."""
-        if not callable(self.background):
-            return [_prop(prop) for prop in self.background]
-        return [_prop(prop) for image in images for prop in self.background(image)]
+    def _moving_props(self, images: range) -> tuple[Actor, ...]:
+        """Return the background of a picture's images where it is a function of the frame."""
+        return tuple(_prop(prop) for image in images for prop in _at(self.background, image))
 
 
 def shoot(scenes: Iterable[Scene], curves: Curves = STANDARD) -> tuple[Shooting, ...]:
