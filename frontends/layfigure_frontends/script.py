@@ -24,6 +24,7 @@ _WORDS = {
     "letters": "letters of a string",
     "loads": "files loaded and saved",
     "bytes": "bytes loaded and saved",
+    "script": "letters of one script",
 }
 
 limit_options = as_record(

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import operator as operators
 from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 from layfigure.language.limits import Meter
 from layfigure.language.places import Place
@@ -48,13 +50,7 @@ def compare(operator: str, left: object, right: object, place: Place) -> bool:
     both_numbers = is_number(left) and is_number(right)
     if not both_numbers and not (isinstance(left, str) and isinstance(right, str)):
         raise place.error(f"{kind_of(left)} and {kind_of(right)} have no order; < and > compare two numbers")
-    less, equal = left < right, left == right  # type: ignore[operator]
-    return {
-        "LESS": less,
-        "LESS_EQUAL": less or equal,
-        "GREATER": not less and not equal,
-        "GREATER_EQUAL": not less,
-    }[operator]
+    return bool(_ORDERS[operator](left, right))
 
 
 def negated(value: object, place: Place) -> object:
@@ -187,6 +183,12 @@ _NUMBERS: dict[str, Callable[[Number, Number, Place, Meter], Number]] = {
     "SLASH": _divided,
     "MOD": _remainder,
     "POWER": _powered,
+}
+_ORDERS: dict[str, Callable[[Any, Any], object]] = {
+    "LESS": operators.lt,
+    "LESS_EQUAL": operators.le,
+    "GREATER": operators.gt,
+    "GREATER_EQUAL": operators.ge,
 }
 _OTHERS: dict[str, Callable[[object, object, Place, Meter], object]] = {
     "PLUS": _plus,

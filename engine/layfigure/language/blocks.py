@@ -5,7 +5,8 @@ Every block that is not closed, or closed by another's word, is told with the li
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Callable, Container
+from typing import Any
 
 from layfigure.language import syntax as s
 from layfigure.language.limits import MAXIMUM_NESTING
@@ -114,24 +115,11 @@ class _Nesting:
 
     def _statement(self) -> s.Statement:
         item = self._take()
-        match item:
-            case If():
-                return self._choice(item)
-            case Counted():
-                body = self._loop(item, item.spelled, *_counted_closing(item))
-                return s.Count(item.place, item.variable, item.first, item.last, item.step, body)
-            case WhileHead():
-                body = self._loop(item, "WHILE", (Word.ENDWHILE,), "ENDWHILE")
-                return s.While(item.place, item.condition, body)
-            case ModelHead():
-                return self._model(item)
-            case MotionHead():
-                return self._motion(item)
-            case SceneHead():
-                return self._scene_block(item)
-            case _:
-                assert isinstance(item, s.Statement)
-                return self._allowed(item)
+        known = _BLOCKS.get(type(item))
+        if known is not None:
+            return known(self, item)
+        assert isinstance(item, s.Statement)
+        return self._allowed(item)
 
     def _allowed(self, item: s.Statement) -> s.Statement:
         """Return a plain statement that may stand here."""
@@ -177,6 +165,13 @@ class _Nesting:
         if not shared:  # one `10 CONTINUE` closes every DO 10 that is open
             self._at += 1
         return mark
+
+    def _counted(self, head: Counted) -> s.Count:
+        body = self._loop(head, head.spelled, *_counted_closing(head))
+        return s.Count(head.place, head.variable, head.first, head.last, head.step, body)
+
+    def _while(self, head: WhileHead) -> s.While:
+        return s.While(head.place, head.condition, self._loop(head, "WHILE", (Word.ENDWHILE,), "ENDWHILE"))
 
     def _loop(self, head: Head, spelled: str, closers: tuple[Word, ...], closing: str) -> s.Block:
         label = head.label if isinstance(head, Counted) else ""
@@ -305,6 +300,16 @@ class _Nesting:
         self._closed()
         self._scene = ""
         return s.SceneBlock(head.place, head.number, initial, start.length, start.same_frame, body)
+
+
+_BLOCKS: dict[type, Callable[[_Nesting, Any], s.Statement]] = {
+    If: _Nesting._choice,
+    Counted: _Nesting._counted,
+    WhileHead: _Nesting._while,
+    ModelHead: _Nesting._model,
+    MotionHead: _Nesting._motion,
+    SceneHead: _Nesting._scene_block,
+}
 
 
 def _counted_closing(head: Counted) -> tuple[tuple[Word, ...], str]:

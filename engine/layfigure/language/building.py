@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from lark import Token
 from lark.visitors import Transformer_NonRecursive
@@ -32,7 +32,7 @@ from layfigure.language.places import Place
 
 _NUMBER = re.compile(r"([0-9]*)\.?([0-9]*)(?:[eE]([-+]?[0-9]+))?°?")
 _SEPARATOR = Separator()
-_ASSIGNED = "EQUAL"
+N = TypeVar("N")
 
 
 class Builder(Transformer_NonRecursive[Token, Any]):
@@ -336,7 +336,7 @@ class Builder(Transformer_NonRecursive[Token, Any]):
         assert isinstance(value, s.Expression)
         return value
 
-    def _node(self, kind: Callable[..., Any], at: Any, *fields: Any, below: Any = None) -> Any:
+    def _node(self, kind: Callable[..., N], at: Any, *fields: Any, below: Any = None) -> N:
         """Return a node one deeper than the deepest expression below it: in ``below``, or else among the fields."""
         place = self._place(at)
         under = below if below is not None else [item for field in fields for item in _listed(field)]

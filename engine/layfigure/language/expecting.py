@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from layfigure.suggestions import did_you_mean
 
 _LONGEST = 40
+_STATEMENT, _END = "a statement", "the end of the statement"
 _SIGNS = {
     "_COMMA": '","',
     "_PART_COMMA": '","',
@@ -19,37 +22,43 @@ _VALUE = frozenset(
     ("NUMBER", "STRING", "NAME", "TRUE", "FALSE", "LEFT_ROUND", "SOLID", "MINUS", "PLUS", "NOT", "DOLLAR")
 )
 _RIGHT_SIDE = frozenset(("JOINT", "FIGURE", "STRIP", "SYNCHRONIZE"))
-_OPERATORS = frozenset(
-    "PLUS MINUS STAR SLASH MOD _POWER _AND _OR UNEQUAL LESS LESS_EQUAL GREATER_EQUAL GREATER EQUAL ANGLE".split()
-)
+_ARITHMETIC = frozenset(("PLUS", "MINUS", "STAR", "SLASH", "MOD", "_POWER", "_AND", "_OR", "ANGLE"))
+_OPERATORS = _ARITHMETIC | {"UNEQUAL", "LESS", "LESS_EQUAL", "GREATER_EQUAL", "GREATER", "EQUAL"}
 _ASSIGNING = frozenset(("EQUAL", "_COLON_MINUS", "_COLON_EQUAL"))
-STATEMENTS = tuple(
-    "ANIMATE BACKGROUND BEGIN BOOLEAN CONTINUE DO ELSE END ENDFOR ENDIF ENDJOINT ENDMODEL ENDMOTION ENDSCENE ENDWHILE "
-    "FIGURE FLOOR FOR FRAME GRAPHICAL IF INITIALIZE INTEGER JOINT LOAD MODEL MOTION POSE PRINT REAL SAVE SCENE SHOOTSCENES "
-    "STARTMODEL STARTMOTION STARTSCENE STOP STRING VECTOR VIEW WHILE".split()
-)
+_TYPES = {"GRAPHICAL", "VECTOR", "REAL", "INTEGER", "MODEL", "MOTION", "SCENE", "STRING", "BOOLEAN", "POSE"}
 
 
-def unknown_statement(word: str, accepts: frozenset[str]) -> str:
+def unknown_statement(word: str, accepts: frozenset[str], at_start: frozenset[str]) -> str:
     """Return the sentence for a statement that begins with a word and has no ``=`` behind it, or "" for anything else.
 
-    ``accepts`` are the terminals that could have followed.
+    ``accepts`` are the terminals that could have followed, ``at_start`` those that could begin a statement.
     """
     if not (accepts >= _ASSIGNING and accepts <= _ASSIGNING | {"_LEFT_SQUARE"}):
         return ""
-    hint = did_you_mean(word, STATEMENTS)
+    known = (_words(at_start) - {"TYPE", "SHOOT"}) | {"SHOOTSCENES"} | _TYPES
+    hint = "" if word.upper() in known else did_you_mean(word, known)
     return f"no statement begins with {quoted(word)}{hint}" if hint else ""
 
 
-def found_instead(found: str, kind: str, accepts: frozenset[str], at_start: frozenset[str]) -> str:
+@dataclass(frozen=True)
+class Found:
+    """What was found: its text, its terminal ("" for a sign the language does not know), and whether in a statement."""
+
+    text: str
+    kind: str
+    inside: bool
+
+
+def found_instead(found: Found, accepts: frozenset[str], at_start: frozenset[str]) -> str:
     """Return the sentence for something that may not stand where it was found.
 
-    ``kind`` is its terminal ("" for a sign the language does not know), ``accepts`` what could stand there, and
-    ``at_start`` what could begin a statement.
+    ``accepts`` is what could stand there, and ``at_start`` what could begin a statement.
     """
-    shown = _shown(found, kind)
-    hint = did_you_mean(found, _words(accepts - at_start)) if kind == "NAME" else ""
-    return f"found {shown} where {_expected(accepts, at_start)} should stand{hint}"
+    hint = did_you_mean(found.text, _words(accepts - at_start)) if found.kind == "NAME" else ""
+    expected = _expected(accepts, at_start)
+    if found.inside and expected == _STATEMENT:
+        expected = _END
+    return f"found {_shown(found)} where {expected} should stand{hint}"
 
 
 def quoted(text: str) -> str:
@@ -63,19 +72,21 @@ def listed(words: list[str]) -> str:
     return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
-def _shown(found: str, kind: str) -> str:
-    if kind == "$END":
+def _shown(found: Found) -> str:
+    if found.kind == "$END":
         return "the end of the file"
-    if kind == "SEPARATOR" and found == "\n":
+    if found.kind == "SEPARATOR" and found.text == "\n":
         return "the end of the line"
-    return quoted(found)
+    if found.kind == "STRING":
+        return f"the string {quoted(found.text[1:-1])}"
+    return quoted(found.text)
 
 
 def _expected(accepts: frozenset[str], at_start: frozenset[str]) -> str:
     ends = "SEPARATOR" in accepts
     rest = accepts - at_start if ends else accepts
     if ends and not rest:
-        return "a statement"
+        return _STATEMENT
     parts: list[str] = []
     if "NUMBER" in rest and "LEFT_ROUND" in rest:
         parts.append("a value")
@@ -89,7 +100,7 @@ def _expected(accepts: frozenset[str], at_start: frozenset[str]) -> str:
         parts.append('"="')
         rest -= _ASSIGNING
     parts += sorted({_SIGNS[name] for name in rest if name in _SIGNS}) + sorted(_words(rest))
-    return listed(parts[:8] + (["the end of the statement"] if ends else []))
+    return listed(parts[:8] + ([_END] if ends else []))
 
 
 def _closes(rest: frozenset[str]) -> bool:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from layfigure.kinematics.joints import axis_angles
 from layfigure.models import Model
 from layfigure.models.numbers import Number, checked_number, checked_point
-from layfigure.models.shapes import axis_rotation
+from layfigure.models.volumes import axis_rotation
 from layfigure.scenes.performing import Performer
 from layfigure.scenes.placing import Place as Spot
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Image:
-    """A model as it stands in one frame, turned by ``rotation`` (3, 3) and then moved by ``place`` (3,), script space."""
+    """A model as it stands in one frame, turned by ``rotation`` (3, 3), then moved by ``place`` (3,); script space."""
 
     model: Model
     performer: Performer

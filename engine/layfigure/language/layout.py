@@ -21,8 +21,9 @@ _PIECE = re.compile(
     re.VERBOSE,
 )
 _OPEN = {"(": ")", "[": "]"}
-_GO_ON_AFTER = frozenset(", + - * / ** = == <> != /= < <= >= :- := ( [ and or not mod using interpolate".split())
-_GO_ON_BEFORE_SIGNS = frozenset(", + - * / ** = == <> != /= < <= > >= :- := ) ]".split())
+_OPERATORS = frozenset((",", "+", "-", "*", "/", "**", "=", "==", "<>", "!=", "/=", "<", "<=", ">=", ":-", ":="))
+_GO_ON_AFTER = _OPERATORS | {"(", "[", "and", "or", "not", "mod", "using", "interpolate"}
+_GO_ON_BEFORE_SIGNS = _OPERATORS | {">", ")", "]"}
 _GO_ON_BEFORE_WORDS = re.compile(
     r"(and|or|mod|then|position|interpolate|using|repeat|main|from|to|step|length|sameframe|as)\b"
     r"(?![^\S\n]*(=|:-|:=|\[))",

@@ -8,6 +8,13 @@ from fractions import Fraction
 
 from layfigure.language.places import Place
 
+_COUNTED = {
+    "loads": "loads and saves more than {} files",
+    "bytes": "loads and saves more than {} bytes",
+    "pictures": "makes more than {} pictures",
+    "actors": "shows more than {} figures in all its pictures",
+    "volumes": "makes objects of more than {} volumes in all",
+}
 MAXIMUM_NESTING = 100  # of brackets and of blocks: what the interpreter's own stack is made for
 
 
@@ -17,9 +24,9 @@ class Limits:
 
     ``steps`` counts statements and operations, work on long motions by their keys; ``keys`` those of one motion;
     ``pictures`` and ``actors`` (figures in them, backgrounds included) those of all scenes together; ``volumes`` those
-    of all objects that are made; ``digits`` those of one number; ``letters`` those of one string, and of all that is printed
-    together a hundred times as many; ``loads`` and ``bytes`` the files that are loaded and saved, the script included.
-    ``outside`` lets a script load from and save to places outside its own folder.
+    of all objects that are made; ``digits`` those of one number; ``letters`` those of one string, and of all that is
+    printed together a hundred times as many; ``loads`` and ``bytes`` the files that are loaded and saved, the script
+    included; ``script`` the letters of one. ``outside`` lets a script save to places outside its own folder.
     """
 
     steps: int = 250_000
@@ -31,6 +38,7 @@ class Limits:
     letters: int = 10_000
     loads: int = 50
     bytes: int = 1_000_000
+    script: int = 40_000
     outside: bool = False
 
 
@@ -63,7 +71,8 @@ class Meter:
         self._counts[what] += number
         most = getattr(self.limits, what)
         if self._counts[what] > most:
-            raise place.error(f"the script takes more than {most} {what}; {raised(what)}")
+            counted = _COUNTED.get(what, f"takes more than {most} {what}").format(most)
+            raise place.error(f"the script {counted}; {raised(what)}")
 
     def number(self, value: int | Fraction, place: Place) -> int | Fraction:
         """Return a number that has no more digits than allowed, whole ones as int.

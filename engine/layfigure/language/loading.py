@@ -102,7 +102,7 @@ def _library(executor: Executor, path: Path, node: syntax.Load) -> None:
     if len(run.reading) > MAXIMUM_DEPTH or path.resolve() in [known.resolve() for known in run.reading]:
         raise place.error(f"{path.name} is being read already; a script cannot load itself")
     _count(executor, path, place)
-    block = parse_script(read_text(path, maximum_bytes=run.meter.limits.bytes), str(path), run.meter)
+    block = parse_script(read_text(path), str(path), run.meter)
     scope, before = Scope(), run.reading
     run.reading = (*before, path)
     type(executor)(run, scope, path.parent).block(block)

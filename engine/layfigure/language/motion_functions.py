@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from layfigure.language.arithmetic import rounded
@@ -123,10 +124,9 @@ def _at(a: Arguments) -> tuple[Number, ...]:
             f"this motion does not move joint {joint}; it moves {', '.join(motion.joints[:12]) or 'none'}"
         )
     states = motion.strip(joint).states(a.number(1), a.evaluator.curves)
-    found = states[joint] if joint in states else None
-    if found is None:
+    if joint not in states:
         return (0, 0, 0)
-    return tuple(a.meter.number(axis.value, a.place) for axis in found)
+    return tuple(a.meter.number(Fraction(axis.value), a.place) for axis in states[joint])
 
 
 def _through(a: Arguments) -> Motion:

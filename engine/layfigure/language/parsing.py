@@ -7,13 +7,14 @@ from pathlib import Path
 
 from lark import Lark, Token
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken, VisitError
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from layfigure.errors import SourceError
 from layfigure.language.blocks import nested
 from layfigure.language.building import Builder
-from layfigure.language.expecting import found_instead, unknown_statement
+from layfigure.language.expecting import Found, found_instead, unknown_statement
 from layfigure.language.layout import laid_out
-from layfigure.language.limits import Meter
+from layfigure.language.limits import Meter, raised
 from layfigure.language.places import Place
 from layfigure.language.syntax import Block
 
@@ -24,6 +25,9 @@ def parse_script(text: str, source: str, meter: Meter) -> Block:
     Raises:
         SourceError: the first mistake, with line, column, what was found and what could stand there.
     """
+    if len(text) > meter.limits.script:
+        message = f"the script has more than {meter.limits.script} letters; {raised('script')}, or load parts of it"
+        raise Place(source, 1, 1).error(message)
     clean = laid_out(text, source)
     try:
         tree = grammar().parse(clean)
@@ -48,23 +52,35 @@ def grammar() -> Lark:
 @functools.cache
 def _at_start() -> frozenset[str]:
     """Return the names of the terminals that may begin a statement."""
-    return frozenset(grammar().parse_interactive("").accepts())
+    return _accepted(grammar().parse_interactive(""))
 
 
 def _explained(error: UnexpectedInput, text: str, source: str) -> SourceError:
     place = Place(source, error.line, error.column)
-    accepts = frozenset(error.interactive_parser.accepts()) if error.interactive_parser else frozenset()
+    accepts = _accepted(error.interactive_parser) if error.interactive_parser else frozenset()
     if isinstance(error, UnexpectedCharacters):
-        return place.error(found_instead(text[error.pos_in_stream or 0], "", accepts, _at_start()))
+        found = Found(text[error.pos_in_stream or 0], "", _is_inside(text, error.pos_in_stream or 0))
+        return place.error(found_instead(found, accepts, _at_start()))
     assert isinstance(error, UnexpectedToken)
     if error.token.type == "$END":
         place = _end_of(text, source)
     before = error.interactive_parser.parser_state.value_stack[-1:] if error.interactive_parser else []
     if before and isinstance(before[0], Token) and before[0].type == "NAME":
-        sentence = unknown_statement(before[0], accepts)
+        sentence = unknown_statement(before[0], accepts, _at_start())
         if sentence:
             return Place(source, before[0].line or 1, before[0].column or 1).error(sentence)
-    return place.error(found_instead(str(error.token), error.token.type, accepts, _at_start()))
+    inside = _is_inside(text, error.token.start_pos if error.token.type != "$END" else len(text))
+    return place.error(found_instead(Found(str(error.token), error.token.type, inside), accepts, _at_start()))
+
+
+def _is_inside(text: str, offset: int | None) -> bool:
+    """Whether something of a statement stands before an offset."""
+    return text[:offset].rstrip(" ")[-1:] not in ("", ";", "\n")
+
+
+def _accepted(parser: InteractiveParser) -> frozenset[str]:
+    """Return the names of the terminals that could stand next."""
+    return frozenset(parser.accepts())  # type: ignore[no-untyped-call]
 
 
 def _end_of(text: str, source: str) -> Place:

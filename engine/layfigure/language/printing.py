@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from layfigure.files.decimals import plain as decimal
 from layfigure.language.images import Image
-from layfigure.language.values import PoseOf, is_number, kind_of, plain
+from layfigure.language.values import PoseOf, kind_of, plain
 from layfigure.models import LinkOf, Model, Shape
 from layfigure.models.printing import aligned, describe_model, symbol_table
 from layfigure.motions.joints import joints_of
@@ -21,26 +23,9 @@ from layfigure.scenes.animating import Animate
 
 def shown(value: object) -> str:
     """Return a value as PRINT shows it: on one line, but models, motions and poses on several."""
-    if isinstance(value, bool):
-        return str(value).upper()
-    if is_number(value):
-        return plain(value)  # type: ignore[arg-type]
-    if isinstance(value, str):
-        return value
-    if isinstance(value, tuple):
-        return f"({', '.join(map(plain, value))})"
-    if isinstance(value, Motion):
-        return _motion(value)
-    if isinstance(value, Model):
-        return describe_model(value)
-    if isinstance(value, Image):
-        return describe_model(value.model)
-    if isinstance(value, Shape):
-        return _shape(value)
-    if isinstance(value, PoseOf):
-        return write_pose(value.figure, value.pose).rstrip()
-    if isinstance(value, LinkOf):
-        return f"link {value.model.links[value.node].name} of {value.model.title}"
+    for kinds, show in _SHOWN:
+        if isinstance(value, kinds):
+            return show(value)
     return kind_of(value)
 
 
@@ -85,3 +70,21 @@ def _shape(shape: Shape) -> str:
     corners = " to ".join(f"({', '.join(decimal(float(x) + 0.0) for x in corner)})" for corner in (low, high))
     kinds = ", ".join(volume.kind for volume in shape.volumes[:8]) + (", ..." if len(shape.volumes) > 8 else "")
     return f"graphical object of {len(shape.volumes)} volumes ({kinds}), from {corners}"
+
+
+def _link(link: LinkOf) -> str:
+    return f"link {link.model.links[link.node].name} of {link.model.title}"
+
+
+_SHOWN: tuple[tuple[type | tuple[type, ...], Callable[[Any], str]], ...] = (
+    (bool, lambda value: str(value).upper()),
+    ((int, Fraction), plain),
+    (str, str),
+    (tuple, lambda value: f"({', '.join(map(plain, value))})"),
+    (Motion, _motion),
+    (Model, describe_model),
+    (Image, lambda value: describe_model(value.model)),
+    (Shape, _shape),
+    (PoseOf, lambda value: write_pose(value.figure, value.pose).rstrip()),
+    (LinkOf, _link),
+)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from layfigure.errors import FileError
-from layfigure.files.reading import read_text
+from layfigure.files.reading import MAXIMUM_BYTES, read_text
 from layfigure.files.writing import write_text
 from layfigure.language.executing import Executor, Stopped
 from layfigure.language.limits import Limits, Meter
@@ -16,8 +16,6 @@ from layfigure.language.run import Run, Saving
 from layfigure.language.scope import Scope
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.scenes.picture import Shooting
-
-MAXIMUM_SCRIPT_BYTES = 64 * 1024
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,7 @@ def run_script(path: Path, limits: Limits | None = None, curves: Curves = STANDA
         FileError: the file cannot be read.
         SourceError: the script has a mistake, or does more than the limits allow; with line and column.
     """
-    return run_text(read_text(path, maximum_bytes=MAXIMUM_SCRIPT_BYTES), path, limits, curves)
+    return run_text(read_text(path, maximum_bytes=MAXIMUM_BYTES), path, limits, curves)
 
 
 def run_text(text: str, path: Path, limits: Limits | None = None, curves: Curves = STANDARD) -> Programme:

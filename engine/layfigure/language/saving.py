@@ -10,6 +10,7 @@ from layfigure.language.evaluating import blamed
 from layfigure.language.run import Saving
 from layfigure.language.values import PoseOf
 from layfigure.models import Model
+from layfigure.models.saving import fig_text
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import write_motion
 from layfigure.poses.pose_file import write_pose
@@ -51,7 +52,7 @@ def _text(value: object, path: Path) -> str:
     if isinstance(value, PoseOf):
         return write_pose(value.figure, value.pose, path.parent)
     assert isinstance(value, Model)
-    return value.text()
+    return fig_text(value)
 
 
 def _inside(path: Path, folder: Path) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from layfigure.figures.figure import Figure
 from layfigure.language.drafts import Draft
@@ -13,9 +12,6 @@ from layfigure.models import LinkOf, Model, Shape
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import written
 from layfigure.poses.pose import Pose
-
-if TYPE_CHECKING:
-    from layfigure.language.images import Image
 
 Number = int | Fraction
 Vector = tuple[Number, ...]
@@ -28,8 +24,6 @@ class PoseOf:
     figure: Figure
     pose: Pose
 
-
-Value = "Number | bool | str | Vector | Shape | Model | LinkOf | Motion | PoseOf | Image"
 
 KINDS: dict[str, str] = {
     "real": "a number",

@@ -26,11 +26,10 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     Raises:
         LayfigureError: the motion, its figure, the view or the renderer cannot be had.
     """
-    from layfigure.scenes.film import Filming, film_of_motion
-
     from layfigure.configuration import load_configuration
     from layfigure.motions.motion_file import load_motion
     from layfigure.motions.standard import STANDARD
+    from layfigure.scenes.film import Filming, film_of_motion
 
     studio = studio_of(asked, choice)
     curves = {**STANDARD, **studio.host.interpolations}

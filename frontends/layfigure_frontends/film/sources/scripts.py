@@ -12,7 +12,6 @@ from layfigure_frontends.film.sources.shootings import USUAL, reels_of, studio_o
 
 if TYPE_CHECKING:
     from layfigure.language import Limits
-
     from layfigure_frontends.opening import PluginChoice
 
 RATE = Fraction(24)
@@ -26,9 +25,8 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice, limits: 
         SourceError: it has a mistake or does more than the limits allow.
         LayfigureError: it shoots nothing, or there is no such look or renderer.
     """
-    from layfigure.language import run_script
-
     from layfigure.errors import LayfigureError
+    from layfigure.language import run_script
     from layfigure.motions.standard import STANDARD
 
     if asked.view is not None:
