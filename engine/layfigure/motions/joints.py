@@ -16,8 +16,7 @@ def joints_of(figure: Figure) -> Mapping[str, tuple[int, ...]]:
     """Return limb indices by joint id: ``root``, and every limb's own id; limbs that share one move alike."""
     found: dict[str, tuple[int, ...]] = {ROOT_JOINT: (0,)}
     for limb in figure.limbs[1:]:
-        name = limb.name.casefold()
-        found[name] = (*found.get(name, ()), limb.index)
+        found[limb.joint_id] = (*found.get(limb.joint_id, ()), limb.index)
     return MappingProxyType(found)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable
+from dataclasses import fields
 from functools import lru_cache
 
 import numpy as np
@@ -45,7 +46,7 @@ def _actor(actor: Actor) -> bytes:
 @lru_cache(maxsize=256)
 def _figure(figure: Figure) -> bytes:
     """Return the digest of a figure's content: its arrays by name, and the words of its colours."""
-    columns = sorted(vars(figure.arrays).items())
+    columns = [(each.name, getattr(figure.arrays, each.name)) for each in fields(figure.arrays)]
     arrays = [part for name, array in columns for part in (name.encode(), repr(array.shape).encode(), _plain(array))]
     return joined([*arrays, *(colour.casefold().encode() for colour in figure.colours)])
 

@@ -12,6 +12,7 @@ _AREAS = {
     "kinematics": "layfigure_frontends.bench.kinematics",
     "ik": "layfigure_frontends.bench.ik.measuring",
     "generator": "layfigure_frontends.bench.generator",
+    "motion": "layfigure_frontends.bench.motion",
     "posing": "layfigure_frontends.bench.posing",
     "startup": "layfigure_frontends.bench.startup",
     "terminal": "layfigure_frontends.bench.terminals.measuring",

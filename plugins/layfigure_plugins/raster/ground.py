@@ -15,8 +15,7 @@ Floats = NDArray[np.float64]
 # The front view sees the floor edge-on; it is drawn as if from a little above. From higher, the shadows of feet that
 # stand before or behind the root would part from their feet.
 LEAST_PITCH = np.sin(np.radians(5.0))
-POOL_RADIUS = 0.72  # of a view's smaller side: how far the lit floor reaches
-POOL_WIDTH = 0.55  # of a view's width: how far it reaches at least, so that a row of figures stands on it
+POOL_RADIUS = 0.72  # of a view's longer side: how far the lit floor reaches, so that a row of figures stands on it
 CELLS_ACROSS = 6.0  # about so many grid cells fit a view
 DARKEST = 0.75  # what a full shadow takes off the floor
 
@@ -76,7 +75,7 @@ def _planes(render_list: RenderList) -> Floats:
     cosine = east[:, 0] * planes[:, 3] + east[:, 1] * planes[:, 4]
     sine = (east[:, 0] * rise_x + east[:, 1] * rise_y) * -up[:, 2] + east[:, 2] * length
     planes[:, 11], planes[:, 12] = cosine, sine
-    planes[:, 13] = np.maximum(POOL_RADIUS * side, POOL_WIDTH * render_list.rectangles[:, 2])
+    planes[:, 13] = POOL_RADIUS * render_list.rectangles[:, 2:].max(axis=1)
     planes[:, 14:] = _grid_phases(render_list, planes)
     return planes
 
