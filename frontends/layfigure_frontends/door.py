@@ -14,6 +14,19 @@ if TYPE_CHECKING:
     from layfigure.session.frame import Frame, Size
 
 
+class Clockwork(Protocol):
+    """What of a session moves by itself; a loop that has a clock says so and lets it tick."""
+
+    ticking: bool
+
+    @property
+    def due(self) -> float | None:
+        """When a tick is wanted next, in monotonic seconds; None: not before something happens."""
+
+    def tick(self, now: float) -> None:
+        """Let what moves by itself come to where it is at ``now``."""
+
+
 class Door(Protocol):
     """A session as the loops of window and terminal see it."""
 
@@ -24,6 +37,10 @@ class Door(Protocol):
     screenshot_request: Path | None
     host: Host
 
+    @property
+    def playback(self) -> Clockwork:
+        """What moves by itself."""
+
     def handle(self, event: Event) -> None:
         """Take one event."""
 
@@ -31,9 +48,15 @@ class Door(Protocol):
         """Return what to show."""
 
     def draw(
-        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: tuple[float, float] = (1.0, 1.0)
+        self,
+        frame: Frame,
+        target: Target,
+        *,
+        kinds: bool = False,
+        enlarged: tuple[float, float] = (1.0, 1.0),
+        page: bool = True,
     ) -> None:
-        """Draw the frame's views, perhaps ``enlarged``, or so that ``kinds`` of joints can be read from them."""
+        """Draw the frame's views, perhaps ``enlarged``, so that ``kinds`` of joints can be read, without the page."""
 
     def run(self, text: str) -> None:
         """Run a command line."""

@@ -131,7 +131,7 @@ def test_diff_takes_a_picture_that_carries_a_pose(tmp_path):
         (["render", "{sitting}", "-o", "x.bmp"], "use .png"),
         (["render", "{sitting}", "-o", "x.png", "--view", "below"], "the views are"),
         (["render", "{sitting}", "-o", "x.png", "--look", "ful"], 'did you mean "full"'),
-        (["breathe", "{sitting}", "-o", "x.png"], "as .poses or .gif"),
+        (["breathe", "{sitting}", "-o", "x.png"], "as .poses, .motion or .gif"),
         (["breathe", "{sitting}", "-o", "x.poses", "--intensity", "0"], "no such variants"),
         (["breathe", "absent.pose", "-o", "x.gif"], "no such file"),
         (["render", "absent.poses", "-o", "pictures"], "no such file"),

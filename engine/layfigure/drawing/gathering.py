@@ -56,7 +56,7 @@ def _same_views(one: RenderList, other: RenderList) -> bool:
         (one.rotations, other.rotations),
         (one.scales, other.scales),
     )
-    return all(np.array_equal(mine, theirs) for mine, theirs in pairs)
+    return all(mine is theirs or np.array_equal(mine, theirs) for mine, theirs in pairs)
 
 
 def _merged(palettes: Sequence[NDArray[np.uint8]]) -> tuple[NDArray[np.uint8], list[NDArray[np.uint8]]]:

@@ -37,6 +37,16 @@ def coded_by_kind(render_list: RenderList, figure: Figure) -> RenderList:
     )
 
 
+def coded_as_still(render_list: RenderList) -> RenderList:
+    """Return a render list in the code's colours, all of it as limbs whose joints have no degree of freedom."""
+    return replace(
+        render_list,
+        colours=np.zeros_like(render_list.colours),
+        palette=_CODES,
+        segment_colours=np.zeros_like(render_list.segment_colours),
+    )
+
+
 def _kinds(said: NDArray[np.uint8], free: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.where(said == UNSAID, free, said)
 

@@ -46,6 +46,7 @@ class Look:
 PLAIN = Look(antialias=False, hemisphere=False, shadow=False, grid=False)
 SMOOTH = Look(antialias=True, hemisphere=False, shadow=False, grid=False)
 RECOMMENDED = Look()
+LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
 
 
 def _no_bytes() -> NDArray[np.uint8]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from layfigure.drawing.camera import framing
 from layfigure.drawing.geometry import Geometry
+from layfigure.drawing.render_list import RenderList
 from layfigure.figures.definition import VOLUME_KINDS
 from layfigure.figures.figure import Figure
 
@@ -34,6 +36,13 @@ def draw_thin(figure: Figure, thin: NDArray[np.bool_], kinds: NDArray[np.uint8],
     geometry.points[balls] = ends[balls][:, [0, 0, 0, 0]]
     geometry.radii[rods], geometry.radii[balls] = sizes[rods] * np.float32(ROD), sizes[balls] * np.float32(BALL)
     geometry.radii[others] = 0
+
+
+def without_balls(figure: Figure, listed: RenderList) -> RenderList:
+    """Return a render list of a figure whose limbs are all thin, with bare rods: another kind of ghost."""
+    radii = listed.radii.copy()
+    radii[np.tile(_ranks(figure) == 1, len(listed.rectangles))] = 0
+    return replace(listed, radii=radii)
 
 
 @lru_cache(maxsize=16)

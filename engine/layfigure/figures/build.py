@@ -110,6 +110,7 @@ class _Expanded:
             dofs=source.dofs,
             volumes=tuple(_reflect_volume(volume, flip) for volume in source.volumes),
             twin=indices.get(self.twin.casefold(), index),
+            joint=(self.name.removesuffix(source.name) + source.joint).casefold() if source.joint else "",
         )
 
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 Vector = tuple[float, float, float]
 DOF_KINDS = ("flexion", "pivot", "twist")
 EULER_KINDS = ("x", "y", "z")  # of joints that turn about their axes one after the other (animation.md 1)
+ALL_KINDS = (*DOF_KINDS, *EULER_KINDS)
+MAXIMUM_TURN = 1e6  # degrees that such a joint may turn; hands of clocks go round and round
 VOLUME_KINDS = ("sphere", "cylinder", "cone", "cube")
 
 
@@ -48,7 +50,8 @@ class Volume:
 class LimbDefinition:
     """One limb block: axes, segment, degrees of freedom, volumes and the joints placed on it, in file order.
 
-    ``right_handed`` stands in a root only: all points of the figure are right-handed, Z toward the viewer.
+    ``right_handed`` stands in a root only: all points of the figure are right-handed, Z toward the viewer. ``joint``
+    is what motions call the joint; empty stands for the limb's name.
     """
 
     name: str
@@ -60,6 +63,7 @@ class LimbDefinition:
     volumes: tuple[Volume, ...] = ()
     joints: tuple[JointDefinition, ...] = ()
     right_handed: bool = False
+    joint: str = ""
 
 
 @dataclass(frozen=True)

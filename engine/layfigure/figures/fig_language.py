@@ -8,6 +8,7 @@
               | NUMBER x 6                                            begin and end of the limb
               | ("flexiondof" | "pivotdof" | "twistdof") MIN MAX      degrees
               | ("xdof" | "ydof" | "zdof") MIN MAX                    degrees; of a joint that turns about its axes
+              | "id" WORD                                             what motions call the joint; else the limb's name
               | "handed" ("left" | "right")                           of all points of the figure, in its first limb
               | "sphere" x y z  radius COLOUR
               | "cylinder" x1 y1 z1  x2 y2 z2  radius COLOUR
@@ -35,6 +36,7 @@ from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_VOLUMES
 from layfigure.figures.definition import (
     DOF_KINDS,
     EULER_KINDS,
+    MAXIMUM_TURN,
     VOLUME_KINDS,
     Axis,
     Dof,
@@ -57,8 +59,7 @@ _POINTS = {
     "cube": ("its corner", "the corner's first neighbour", "its second neighbour", "its third neighbour"),
 }
 _DOF_WORDS = tuple(f"{kind}dof" for kind in (*DOF_KINDS, *EULER_KINDS))
-_LARGEST_TURN = 1e6  # degrees; hands of clocks go round and round
-_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed")
+_STATEMENTS = ("axis", "flexionaxis", *_DOF_WORDS, *VOLUME_KINDS, "joint", "mirror", "handed", "id")
 
 
 class ParsedFigure(NamedTuple):
@@ -103,6 +104,7 @@ class _Block:
     volumes: list[Volume] = field(default_factory=list)
     joints: list[JointDefinition] = field(default_factory=list)
     right_handed: bool = False
+    joint_id: str = ""
     seen: dict[str, Word] = field(default_factory=dict)
 
     def limb(self) -> LimbDefinition:
@@ -116,6 +118,7 @@ class _Block:
             tuple(self.volumes),
             tuple(self.joints),
             self.right_handed,
+            self.joint_id,
         )
 
 
@@ -134,6 +137,7 @@ class _Parser:
             "joint": self._joint,
             "mirror": self._mirrored_joint,
             "handed": self._handed,
+            "id": self._joint_id,
             **dict.fromkeys(_DOF_WORDS, self._dof),
             **dict.fromkeys(VOLUME_KINDS, self._volume),
         }
@@ -213,6 +217,15 @@ class _Parser:
             self._words.fail(word, '"handed" goes for the whole figure; write it in the block of its first limb')
         block.right_handed = self._words.one_of(("left", "right"), "the handedness of all points") == "right"
 
+    def _joint_id(self, block: _Block, word: Word) -> None:
+        self._once(block, "id", word)
+        if len(self._open) == 1:
+            self._words.fail(word, "the first limb hangs on no joint; write id in a limb that has one")
+        given = self._words.take()
+        if given.ends or given.text in "{}":
+            self._words.fail(given, f"found {given} where what motions call this joint should stand, as in: id 5")
+        block.joint_id = given.folded
+
     def _segment(self, block: _Block, first: Word) -> None:
         self._once(block, "segment", first)
         self._words.put_back(first)
@@ -225,7 +238,7 @@ class _Parser:
         if block.dofs and (kind in EULER_KINDS) != (block.dofs[0].kind in EULER_KINDS):
             message = f'"{block.name}" has a {block.dofs[0].kind}dof; a joint turns by flexion, pivot and twist'
             self._words.fail(word, f"{message} or about x, y and z, not both")
-        widest = _LARGEST_TURN if kind in EULER_KINDS else 180.0
+        widest = MAXIMUM_TURN if kind in EULER_KINDS else 180.0
         low_word = self._words.peek()
         low = self._words.number(f"the least angle (degrees) of this {word.folded}", widest)
         high = self._words.number(f"the greatest angle (degrees) of this {word.folded}", widest)

@@ -24,6 +24,8 @@ def _block(head: str, limb: LimbDefinition) -> Iterator[str]:
 def _statements(limb: LimbDefinition) -> Iterator[str]:
     if limb.right_handed:
         yield "handed right"
+    if limb.joint:
+        yield f"id {limb.joint}"
     yield f"axis {limb.axis}"
     swings = any(dof.kind in ("flexion", "pivot") for dof in limb.dofs)
     if swings or limb.flexion_axis != Axis(0, 1):

@@ -174,6 +174,18 @@ class Figure:
         return tuple(self.index(name) for name in names)
 
 
+_ALIKE = {"flexion": "x", "pivot": "z", "twist": "y"}  # of a limb that stands up
+
+
+def axis_of(limb: Limb, kind: str) -> int | None:
+    """Return which of a joint's three angles ``kind`` names, or None where it has no such angle.
+
+    Flexion, pivot and twist of a joint that turns about x, y and z are its x, z and y, so that keys can mean both.
+    """
+    named = _ALIKE.get(kind, kind) if limb.euler else kind
+    return limb.kinds.index(named) if named in limb.kinds and limb.turns(named) else None
+
+
 def limit_of(limb: Limb, kind: str) -> tuple[float, float]:
     """Return (low, high) in degrees; a missing degree of freedom is (0, 0)."""
     dof = limb.dof(kind)

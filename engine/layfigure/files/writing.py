@@ -21,8 +21,24 @@ def write_text(path: Path, text: str) -> None:
     write_with(path, lambda stream: stream.write(text.encode("utf-8")))
 
 
-def write_with(path: Path, write: Callable[[IO[bytes]], object]) -> None:
+def write_with(path: Path, write: Callable[[IO[bytes]], object], *, lasting: bool = True) -> None:
     """Replace ``path`` by what ``write(stream)`` puts into a binary stream, all or nothing.
+
+    Raises:
+        FileError: as for :func:`write_text`.
+    """
+
+    def put(place: Path) -> None:
+        with place.open("wb") as stream:
+            write(stream)
+
+    write_beside(path, put, lasting=lasting)
+
+
+def write_beside(path: Path, make: Callable[[Path], object], *, lasting: bool = True) -> None:
+    """Replace ``path`` by the file that ``make(place)`` writes at a place beside it, all or nothing.
+
+    ``lasting`` waits until the disk has it; leave that out for one of many files that can be made again.
 
     Raises:
         FileError: as for :func:`write_text`.
@@ -36,10 +52,10 @@ def write_with(path: Path, write: Callable[[IO[bytes]], object]) -> None:
     except ValueError:
         raise FileError(f"{str(path)!a}: no file can have that name; choose another") from None
     try:
-        with os.fdopen(handle, "wb") as stream:
-            write(stream)
-            stream.flush()
-            os.fsync(stream.fileno())
+        os.close(handle)
+        make(Path(name))
+        if lasting:
+            _wait_for_disk(name)
         _keep_mode(path, Path(name))
         Path(name).replace(path)
     except OSError as error:
@@ -48,6 +64,11 @@ def write_with(path: Path, write: Callable[[IO[bytes]], object]) -> None:
     except BaseException:
         _discard(name)
         raise
+
+
+def _wait_for_disk(name: str) -> None:
+    with Path(name).open("rb+") as stream:
+        os.fsync(stream.fileno())
 
 
 def _keep_mode(old: Path, new: Path) -> None:

@@ -35,6 +35,7 @@ class LinkOf:
 class Model:
     """Links joined to a tree, parents first; ``main_node`` is the link that stays still when the model moves.
 
+    ``source`` is the loaded figure it is, scaled or not.
     Two models are equal when they are built alike, whatever they are called. Make one with
     :func:`layfigure.models.joining.model`, :meth:`of_link` or :meth:`of_figure`.
     """
@@ -43,6 +44,7 @@ class Model:
     main_node: int = 0
     name: str = field(default="", compare=False)
     note: str = field(default="", compare=False)
+    source: Figure | None = field(default=None, compare=False, repr=False)
 
     @staticmethod
     def of_link(link: Link) -> Model:
@@ -52,7 +54,7 @@ class Model:
     @staticmethod
     def of_figure(figure: Figure) -> Model:
         """Return a loaded figure as a model: its limbs are links, its joints keep their parametrisation and limits."""
-        model = Model(nodes_of(figure), name=figure.name)
+        model = Model(nodes_of(figure), name=figure.name, source=figure)
         model.__dict__["_assembled"] = Assembled(figure, tuple(range(len(figure.limbs))))
         return model
 
@@ -154,7 +156,7 @@ class Model:
             raise LayfigureError(f"TRANS JOINTS adds a whole number, not {by}")
         first, *rest = self.nodes
         moved = (replace(node, joint=replace(node.joint, id=node.joint.id.translated(int(step)))) for node in rest)
-        return replace(self, nodes=(first, *moved))
+        return replace(self, nodes=(first, *moved), source=None)
 
     def scale(self, size: Number) -> Model:
         """Return a copy with all lengths multiplied; a negative factor makes the mirror image in x (SCALE MODEL).

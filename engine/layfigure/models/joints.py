@@ -20,6 +20,7 @@ MAXIMUM_SWING = 180.0
 MAXIMUM_JOINT_NUMBER = 10**9
 
 _MAXIMUM_NAME = 80
+_SEPARATOR = re.compile(r"[\s{}#]")  # of words in .fig files
 _WHOLE = re.compile(r"[-+]?[0-9]{1,40}")
 _LONGEST_DENOMINATOR = 10**40
 
@@ -90,12 +91,8 @@ class Joint:
 
     @property
     def ranges(self) -> tuple[Dof, ...]:
-        """The degrees of freedom with their scaled limits in degrees; what can turn nowhere is left out.
-
-        Limits stay within what figures can have: 180 degrees for flexion, pivot and twist.
-        """
-        scaled = tuple(_scaled(dof, self.extremes) for dof in self.dofs)
-        return tuple(dof for dof in scaled if (dof.low, dof.high) != (0.0, 0.0))
+        """The degrees of freedom with their scaled limits in degrees; see :func:`scaled_dofs`."""
+        return scaled_dofs(self.dofs, self.extremes)
 
     def scaled(self, size: Fraction) -> Joint:
         """Return the joint of a model scaled by ``size``."""
@@ -130,6 +127,15 @@ def sized(point: Vector, size: Fraction) -> Vector:
     return point_of(mirror_of(size) @ np.array(point) * float(abs(size)))
 
 
+def scaled_dofs(dofs: tuple[Dof, ...], extremes: Fraction) -> tuple[Dof, ...]:
+    """Return degrees of freedom with their limits multiplied; what can turn nowhere is left out.
+
+    Limits stay within what figures can have: 180 degrees for flexion, pivot and twist.
+    """
+    scaled = tuple(_scaled(dof, extremes) for dof in dofs)
+    return tuple(dof for dof in scaled if (dof.low, dof.high) != (0.0, 0.0))
+
+
 def _scaled(dof: Dof, extremes: Fraction) -> Dof:
     largest = MAXIMUM_NUMBER if dof.kind in EULER_KINDS else MAXIMUM_SWING
     ends = sorted(float(Fraction(repr(end)) * extremes) + 0.0 for end in (dof.low, dof.high))
@@ -140,7 +146,7 @@ def _scaled(dof: Dof, extremes: Fraction) -> Dof:
 def _spelt(word: str) -> JointId:
     if _WHOLE.fullmatch(word):
         return JointId("", _bounded(int(word)))
-    if not word or len(word) > _MAXIMUM_NAME or not word.isprintable() or any(letter.isspace() for letter in word):
+    if not word or len(word) > _MAXIMUM_NAME or not word.isprintable() or _SEPARATOR.search(word):
         raise LayfigureError("a joint is called by a whole number or one short word")
     return JointId(word, 0)
 

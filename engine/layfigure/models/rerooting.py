@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import place
-from layfigure.kinematics.swing import rotations, swing_angles
+from layfigure.kinematics import joints, swing
 
 Floats = NDArray[np.float64]
 
@@ -29,15 +28,31 @@ def held(
     if main == 0:
         return angles, translations
     root = figure.arrays.frames[0]
-    asked = root @ rotations(angles[..., 0, :]) @ root.T
-    still = angles.copy()
-    still[..., 0, :] = 0.0
-    placed = place(figure, still, np.zeros_like(translations))
-    turned, origin = placed.limb_to_world[..., main, :, :], placed.origins[..., main, :]
-    whole = asked @ np.swapaxes(turned, -1, -2)
-    point = origin + turned @ np.asarray(anchor, dtype=np.float64) - figure.arrays.offsets[0]
-    still[..., 0, :] = exact_angles(root.T @ whole @ root)
-    return still, translations - np.einsum("...ij,...j->...i", whole, point)
+    turned, origin = _seen_from_root(figure, angles, main)
+    whole = root @ swing.rotations(angles[..., 0, :]) @ root.T @ np.swapaxes(turned, -1, -2)
+    answer = angles.copy()
+    answer[..., 0, :] = exact_angles(root.T @ whole @ root)
+    point = origin + turned @ np.asarray(anchor, dtype=np.float64)
+    return answer, translations - np.einsum("...ij,...j->...i", whole, point)
+
+
+def _seen_from_root(figure: Figure, angles: Floats, limb: int) -> tuple[Floats, Floats]:
+    """Return a limb's rotation (..., 3, 3) and origin (..., 3) in the root's coordinates."""
+    arrays = figure.arrays
+    path = []
+    while limb > 0:
+        path.append(limb)
+        limb = int(arrays.parents[limb])
+    path.reverse()
+    frames = arrays.frames[path]
+    turning = joints.rotations(np.where(arrays.has_dof[path], angles[..., path, :], 0.0), arrays.euler[path])
+    local = frames @ turning @ np.swapaxes(frames, -1, -2)
+    turned = np.broadcast_to(np.eye(3), (*angles.shape[:-2], 3, 3))
+    origin = np.zeros((*angles.shape[:-2], 3))
+    for step, index in enumerate(path):
+        origin = origin + turned @ arrays.offsets[index]
+        turned = turned @ local[..., step, :, :]
+    return turned, origin
 
 
 def exact_angles(rotation: Floats) -> Floats:
@@ -50,7 +65,7 @@ def exact_angles(rotation: Floats) -> Floats:
     half_turn = np.arctan2(y, w)
     cosine, sine = np.cos(half_turn), np.sin(half_turn)
     half = np.stack([-(z * cosine - x * sine), np.hypot(w, y), x * cosine + z * sine], axis=-1)
-    flexion, pivot = swing_angles(half)
+    flexion, pivot = swing.swing_angles(half)
     return np.stack([flexion, pivot, 2 * np.degrees(half_turn)], axis=-1)
 
 

@@ -23,7 +23,7 @@ def holder_of(statements: Sequence[Joining], parts: Sequence[Turned], number: in
     primary = statements[number].primary
     if isinstance(primary, Link):
         _refuse_own_secondary(statements[number])
-        return _link_holder(statements, parts, number)
+        return _link_holder(statements, parts, number, primary)
     held = model_of(primary)
     fitting = [i for i, other in enumerate(statements) if i != number and model_of(other.secondary) is held]
     if len(fitting) > 1:
@@ -33,9 +33,7 @@ def holder_of(statements: Sequence[Joining], parts: Sequence[Turned], number: in
     return Holder(fitting[0], parts[fitting[0]].places[node_of(primary)])
 
 
-def _link_holder(statements: Sequence[Joining], parts: Sequence[Turned], number: int) -> Holder | None:
-    link = statements[number].primary
-    assert isinstance(link, Link)
+def _link_holder(statements: Sequence[Joining], parts: Sequence[Turned], number: int, link: Link) -> Holder | None:
     named = [i for i, other in enumerate(statements) if i != number and is_called(other.secondary, link.name)]
     if len(named) > 1:
         raise _ambiguous(statements, number, named)

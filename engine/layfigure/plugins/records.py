@@ -95,6 +95,9 @@ class Command:
     ``logged`` commands change the document and are written to the session log; they must give the same result from
     the same words on any machine. ``run`` may return other words to log, where those typed were relative. ``usage``
     shows the words, such as ``"LIMB FLEXION PIVOT TWIST"``.
+
+    A motion that plays is stopped for a command, unless that is ``passive``: it reads and writes nothing of the
+    document. One that ``chooses`` among candidates is not run while a motion plays, for other ones come where it stops.
     """
 
     id: str
@@ -102,6 +105,8 @@ class Command:
     run: Callable[[Any, tuple[str, ...]], tuple[str, ...] | None]
     usage: str = ""
     logged: bool = False
+    passive: bool = False
+    chooses: bool = False
 
     def __post_init__(self) -> None:
         _check_id("command", self.id)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import limb_ends, place_pose
 from layfigure.poses.motion_words import amount, moved_words
@@ -82,7 +81,7 @@ def angle_change(kind: str, before: float, after: float) -> float:
 
 def _angles(figure: Figure, limb: int, before: Pose, after: Pose) -> tuple[AngleChange, ...]:
     changes = []
-    for column, kind in enumerate(DOF_KINDS):
+    for column, kind in enumerate(figure.limbs[limb].kinds):
         start, end = float(before.angles[limb, column]), float(after.angles[limb, column])
         if start != end:
             way = angle_change(kind, start, end)

@@ -10,6 +10,8 @@ pivot along the third (posing.md 1). At rest these axes lie along the world's, a
 - A level limb (a foot, a muzzle) tilts up or down and turns to a side.
 - A twist turns an upright or hanging limb as its front goes, and rolls a level one as its top goes.
 
+A joint that turns about x, y and z is said to do so.
+
 The root has no parent to move against; its angles are named as they are.
 """
 
@@ -18,6 +20,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure.figures.definition import EULER_KINDS
 from layfigure.figures.figure import Figure, Limb
 from layfigure.files.decimals import plain
 
@@ -31,6 +34,8 @@ def moved_words(figure: Figure, limb: int, kind: str, change: tuple[float, float
     if limb == 0:
         return f"{kind} {way:+.6g}"
     size = degrees(abs(way))
+    if kind in EULER_KINDS:
+        return f"turned {'' if way > 0 else 'back '}{size} about {kind}"
     if kind == "twist":
         return _twisted(figure, joint, way, size)
     where = _side(figure, joint, _axis(joint, kind) * np.sign(way))

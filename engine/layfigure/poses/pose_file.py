@@ -7,7 +7,8 @@
     root 0 0 0 flexion 0 pivot 0 twist 0
     spine flexion -20 pivot 0 twist 0
 
-Every movable joint has a line with the degrees of freedom it has, in figure order. A reader takes them in any order;
+Every movable joint has a line with the degrees of freedom it has (x, y, z for one that turns so), in figure order.
+A reader takes them in any order;
 what is not named is at rest. The figure is a shipped one's name or a path, relative to the pose file's folder.
 """
 
@@ -24,7 +25,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError, SourceError
 from layfigure.figures.build import ROOT
-from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.definition import MAXIMUM_TURN
 from layfigure.figures.figure import Figure
 from layfigure.figures.library import load_figure
 from layfigure.files.reading import read_text
@@ -75,7 +76,7 @@ def write_pose(figure: Figure, pose: Pose, folder: Path | None = None, limbs: Co
             continue
         words = [figure.names[limb]] if limb else [ROOT, *map(_decimal, translation)]
         for kind in np.flatnonzero(exists[limb]):
-            words += [DOF_KINDS[kind], _decimal(angles[limb, kind])]
+            words += [figure.limbs[limb].kinds[kind], _decimal(angles[limb, kind])]
         lines.append(" ".join(words))
     return "\n".join(lines) + "\n"
 
@@ -222,7 +223,8 @@ class _Reader:
 
     def _angles(self, figure: Figure, limb: int) -> NDArray[np.float64]:
         exists = existing_angles(figure)[limb]
-        kinds = [kind for kind, has in zip(DOF_KINDS, exists, strict=True) if has]
+        joint = figure.limbs[limb]
+        kinds = [kind for kind, has in zip(joint.kinds, exists, strict=True) if has]
         angles: dict[str, float] = {}
         last_swing = self._words.peek()
         while not self._words.peek().ends:
@@ -231,12 +233,12 @@ class _Reader:
             if kind in angles:
                 self._words.fail(word, f"{word} stands twice in this line; remove one of the two")
             number_word = self._words.peek()
-            angles[kind] = self._words.number(f"{kind} (degrees)", 180.0)
+            angles[kind] = self._words.number(f"{kind} (degrees)", MAXIMUM_TURN if joint.euler else 180.0)
             last_swing = last_swing if kind == "twist" else number_word
         if round(abs(angles.get("flexion", 0.0)) + abs(angles.get("pivot", 0.0)), DECIMALS) > 180.0:
             self._words.fail(last_swing, "flexion and pivot together are more than 180 degrees; make one smaller")
         self._end_of_line()
-        return np.array([angles.get(kind, 0.0) for kind in DOF_KINDS])
+        return np.array([angles.get(kind, 0.0) for kind in joint.kinds])
 
     def _end_of_line(self) -> None:
         word = self._words.take()

@@ -16,7 +16,7 @@ from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Renderer, RendererObject
 from layfigure.scenes import digests
-from layfigure.scenes.listing import Paper, listed
+from layfigure.scenes.listing import Lister, Paper
 from layfigure.scenes.picture import ScenePicture, Shooting
 from layfigure.session.theme import view_theme
 from layfigure.suggestions import did_you_mean
@@ -56,7 +56,7 @@ class PictureDrawer:
         self._renderer: RendererObject = host.call(self._record, "making the renderer", self._record.make)
         background = view_theme(self.studio.theme).pane
         load_palette(self.studio.palette)
-        self._paper = Paper(width, height, background, self._colours)
+        self._lister = Lister(Paper(width, height, background, self._colours))
 
     def draw(self, picture: ScenePicture, out: NDArray[np.uint32] | None = None) -> NDArray[np.uint32]:
         """Return a picture as (height, width) uint32 0x00RRGGBB, in ``out`` where that is given.
@@ -67,7 +67,7 @@ class PictureDrawer:
         width, height = self.studio.size
         pixels = np.empty((height, width), dtype=np.uint32) if out is None else out
         look = self.studio.look if picture.floor is not None else replace(self.studio.look, shadow=False, grid=False)
-        scene = listed(picture, self._paper)
+        scene = self._lister.listed(picture)
         self._host.call(self._record, "drawing", self._renderer.draw, scene, Target(pixels), look)
         return pixels
 

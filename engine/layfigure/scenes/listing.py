@@ -31,16 +31,42 @@ class Paper:
     palette: Callable[[Figure], NDArray[np.uint8]]
 
 
-def listed(picture: ScenePicture, paper: Paper) -> RenderList:
-    """Return what a renderer needs to draw a picture: one view, or with sides one for each camera."""
-    cameras = (picture.camera, *picture.sides)
-    boxes = layout(paper.width, paper.height, len(cameras))
-    rows = np.array([_row(camera, box) for camera, box in zip(cameras, boxes, strict=True)])
-    grouped: dict[Figure, list[Actor]] = {}
-    for actor in picture.actors:
-        grouped.setdefault(actor.figure, []).append(actor)
-    views = _views(rows, paper, _ground(picture, rows))
-    return gathered([_with_figure(views, actors, rows, paper) for actors in grouped.values()] or [views])
+class Lister:
+    """Lists pictures one after another; what stands still under a camera that stands still is listed once."""
+
+    def __init__(self, paper: Paper) -> None:
+        self._paper = paper
+        self._seen: tuple[object, ...] = ()
+        self._views: RenderList | None = None
+        self._known: dict[Figure, tuple[tuple[Actor, ...], RenderList]] = {}
+
+    def listed(self, picture: ScenePicture) -> RenderList:
+        """Return what a renderer needs to draw a picture: one view, or with sides one for each camera."""
+        rows, views = self._look(picture)
+        grouped: dict[Figure, list[Actor]] = {}
+        for actor in picture.actors:
+            grouped.setdefault(actor.figure, []).append(actor)
+        known = {figure: self._list(tuple(actors), rows, views) for figure, actors in grouped.items()}
+        self._known = known
+        return gathered([scene for _, scene in known.values()] or [views])
+
+    def _look(self, picture: ScenePicture) -> tuple[Floats, RenderList]:
+        """Return the picture's views as shots (m, 18) and as an empty list, forgetting all if they are new."""
+        seen = (picture.camera, picture.sides, picture.floor)
+        cameras = (picture.camera, *picture.sides)
+        boxes = layout(self._paper.width, self._paper.height, len(cameras))
+        rows = np.array([_row(camera, box) for camera, box in zip(cameras, boxes, strict=True)])
+        if self._views is None or seen != self._seen:
+            self._seen, self._known = seen, {}
+            self._views = _views(rows, self._paper, _ground(picture, rows))
+        return rows, self._views
+
+    def _list(self, actors: tuple[Actor, ...], rows: Floats, views: RenderList) -> tuple[tuple[Actor, ...], RenderList]:
+        """Return actors of one figure with the list of them: that of the picture before if they are the same."""
+        before = self._known.get(actors[0].figure)
+        if before is not None and before[0] == actors:
+            return before
+        return actors, _with_figure(views, actors, rows, self._paper)
 
 
 def layout(width: int, height: int, views: int) -> list[Rectangle]:
@@ -103,8 +129,8 @@ def _with_figure(views: RenderList, actors: Sequence[Actor], rows: Floats, paper
     figure, places = actors[0].figure, len(actors)
     shots = np.repeat(rows, places, axis=0)
     shots[:, 0] = np.tile(np.arange(places), len(rows))
-    angles = np.stack([actor.angles for actor in actors], dtype=np.float64)
-    moved = np.stack([actor.translation for actor in actors], dtype=np.float64)
+    angles = np.array([actor.angles for actor in actors], dtype=np.float64)
+    moved = np.array([actor.translation for actor in actors], dtype=np.float64)
     geometry = measure_batch(figure, angles, moved, shots, _FRAME)
     kinds, parts, colours, segment_parts, segment_colours = repeated_columns(figure, len(shots))
     return replace(

@@ -33,7 +33,7 @@ def describe_limbs(document: Document, selected: tuple[int, ...]) -> tuple[str, 
     limb = figure.limbs[selected[0]]
     kept_note = "" if limb.index in document.enabled or limb.index == 0 else " (kept)"
     angles = document.pose.angles[limb.index]
-    stands = "  ".join(f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(DOF_KINDS) if limb.turns(kind))
+    stands = "  ".join(f"{kind} {angles[i]:.4g}°" for i, kind in enumerate(limb.kinds) if limb.turns(kind))
     heading = f"{spoken_limb(figure, limb.index)}{kept_note}: {freedom(limb)}"
     return (heading, f"{stands}{_both_sides(document)}", *describe_locks(document))
 
@@ -74,6 +74,9 @@ def freedom(limb: Limb) -> str:
     """Return in words how a limb can move, what its colour says in pictures; the root always carries the figure."""
     if limb.parent < 0:
         return "turns and carries the figure"
+    if limb.euler:
+        about = [kind for kind in limb.kinds if limb.dof(kind)]
+        return f"turns about {' and '.join([', '.join(about[:-1]), about[-1]] if len(about) > 1 else about)}"
     bits = sum(1 << i for i, kind in enumerate(DOF_KINDS) if limb.dof(kind))
     kinds = [kind for kind in DOF_KINDS if limb.dof(kind)]
     return _FREEDOM.get(bits, " and ".join(kinds) + (" only" if len(kinds) == 1 else ""))
@@ -81,6 +84,6 @@ def freedom(limb: Limb) -> str:
 
 def allowed_angles(limb: Limb) -> str:
     """Return in words between which angles each degree of freedom of a limb lies, or nothing for one without."""
-    dofs = [dof for kind in DOF_KINDS if (dof := limb.dof(kind))]
+    dofs = [dof for kind in limb.kinds if (dof := limb.dof(kind))]
     spoken = ", ".join(f"{dof.kind} {dof.low:g} to {dof.high:g}" for dof in dofs)
     return f"Degrees; the joint allows {spoken}." if spoken else ""

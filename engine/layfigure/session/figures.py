@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from layfigure.figures.figure import Figure
 from layfigure.figures.library import load_figure, read_figure
 from layfigure.plugins.host import Host
@@ -17,6 +19,15 @@ def open_figure(host: Host, name: str) -> Figure:
         source = host.figures[name]
         return read_figure(source.id, source.fig, f"figure {source.id}")
     return load_figure(name)
+
+
+def figure_beside(host: Host, name: str, folder: Path) -> Figure:
+    """Return a figure as a file in a folder names it: by name, or by a path from that folder.
+
+    Raises:
+        LayfigureError: there is no such figure, or its text is wrong.
+    """
+    return open_figure(host, name) if name in host.figures else load_figure(name, folder)
 
 
 def reference_to(figure: Figure) -> str:

@@ -131,7 +131,39 @@ class JointCircle:
     high: float = 0.0
 
 
-Widget = Label | Button | SliderBar | ChoiceBar | JointBall | JointCircle
+@dataclass(frozen=True)
+class TimeLine:
+    """A motion's frames from left to right; pressing or dragging along the track goes to the frame under the pointer.
+
+    The ``rectangle`` is the strip it stands in, with room for other widgets at the left. ``track`` is where frames lie:
+    0 in the middle of its first pixel, ``last`` in that of its last; the motion ends at ``end``, which lies before
+    ``last`` where the ``playhead`` has been taken beyond. ``keys`` are the frames of keys of the selected limbs, or of
+    any; ``others`` those of the rest. ``marks`` are (frame, name). A number is worth writing at every so many frames as
+    ``every`` says, 0 where there is no room for numbers.
+    """
+
+    rectangle: Rectangle
+    track: Rectangle
+    last: float
+    end: float
+    playhead: float
+    keys: tuple[float, ...] = ()
+    others: tuple[float, ...] = ()
+    marks: tuple[tuple[float, str], ...] = ()
+    every: int = 0
+    playing: bool = False
+
+    def x_of(self, frame: float) -> float:
+        """Return where a frame lies across the surface."""
+        return self.track.x + 0.5 + frame / self.last * (self.track.width - 1)
+
+    def frame_at(self, x: float) -> int:
+        """Return the whole frame that lies nearest to a place across the surface."""
+        share = (x - 0.5 - self.track.x) / max(self.track.width - 1, 1)
+        return round(min(max(share, 0.0), 1.0) * self.last)
+
+
+Widget = Label | Button | SliderBar | ChoiceBar | JointBall | JointCircle | TimeLine
 
 
 @dataclass(frozen=True)
@@ -206,7 +238,11 @@ class Sign:
 
 @dataclass(frozen=True)
 class Frame:
-    """Everything to show on a surface of ``size``. ``cursor`` is ``arrow``, ``hand``, ``grab`` or ``cross``."""
+    """Everything to show on a surface of ``size``. ``cursor`` is ``arrow``, ``hand``, ``grab`` or ``cross``.
+
+    Two frames with the same ``page`` have views of candidates that look the same, so that one that is painted over the
+    other may leave them as they are.
+    """
 
     size: Size
     panes: tuple[Pane, ...]
@@ -221,3 +257,4 @@ class Frame:
     title: str = "Layfigure"
     text_input: bool = False
     theme: str = field(default="dark")
+    page: int = 0

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.render_list import Rectangle
 from layfigure.session.events import Event, KeyEvent, PointerEvent
-from layfigure.session.frame import JointBall, JointCircle, Outline, Pane, Size, SliderBar
+from layfigure.session.frame import JointBall, JointCircle, Outline, Pane, Size, SliderBar, TimeLine
 from layfigure.session.joint_dials import ball_line, circle_line
 from layfigure.session.metrics import metrics
-from layfigure.session.modes import Become, Continue, GiveUp, Outcome, Plain, Pop, Preview, Run, Settle
+from layfigure.session.modes import Become, Continue, GiveUp, Outcome, Plain, Pop, Preview, Run, Scrub, Settle
 from layfigure.session.words import join_line, split_line
 
 
@@ -49,6 +49,18 @@ class SliderDrag(PointerDrag):
         if event.kind == "release":
             return [Pop(), Run(line)]
         return [Become(replace(self, line=line)), Preview(line)]
+
+
+@dataclass(frozen=True)
+class TimeLineDrag(PointerDrag):
+    """The playhead follows the pointer along the time line, and stays where it is let go."""
+
+    line: TimeLine
+
+    def dragged(self, event: PointerEvent, size: Size) -> Sequence[Outcome]:
+        """Show the frame while moving, go there on release."""
+        frame = self.line.frame_at(event.x)
+        return [Scrub(frame)] if event.kind == "move" else [Pop(), Scrub(frame), Run("pause")]
 
 
 def slider_line(bar: SliderBar, x: float) -> str:

@@ -18,13 +18,18 @@ FINEST = 0.05  # degrees: what a pointer sets is a multiple of it, so that logs 
 
 
 def joint_dials(document: Document, selected: tuple[int, ...]) -> tuple[JointBall | JointCircle, ...]:
-    """Return the dials of the limb selected last, without a place yet: first the swing's, then the twist's."""
+    """Return the dials of the limb selected last, without a place yet: first the swing's, then the twist's.
+
+    A joint that turns about x, y and z has a circle for each of those that it has.
+    """
     if not selected:
         return ()
     limb = document.figure.limbs[selected[-1]]
     command = f"set {quoted(limb.name)}"
     flexion, pivot, twist = document.pose.angles[limb.index].tolist()
     angles = (flexion, pivot, twist)
+    if limb.euler:
+        return _axis_circles(limb, command, angles)
     return (_swing_dial(limb, command, angles), _twist_dial(limb, command, angles))
 
 
@@ -39,7 +44,7 @@ def joint_sliders(document: Document, selected: tuple[int, ...]) -> tuple[Slider
         SliderBar(
             NOWHERE, kind.capitalize(), f"angle {quoted(limb.name)} {kind}", at, low, high, STEP, unit="°", limits=True
         )
-        for kind, at, (low, high) in zip(DOF_KINDS, angles, limits, strict=True)
+        for kind, at, (low, high) in zip(limb.kinds, angles, limits, strict=True)
         if limb.turns(kind)
     )
 
@@ -62,6 +67,15 @@ def _twist_dial(limb: Limb, command: str, angles: tuple[float, float, float]) ->
     return JointCircle(NOWHERE, "Twist" if has else "No twist", command, angles, 2 if has else -1, low, high)
 
 
+def _axis_circles(limb: Limb, command: str, angles: tuple[float, float, float]) -> tuple[JointCircle, ...]:
+    limits = limits_from(limb, angles)
+    return tuple(
+        JointCircle(NOWHERE, f"About {kind}", command, angles, column, *limits[column])
+        for column, kind in enumerate(limb.kinds)
+        if limb.turns(kind)
+    )
+
+
 def ball_line(ball: JointBall, x: float, y: float) -> str:
     """Return the command line that a pointer on a joint ball means."""
     across, up = on_disc(ball.rectangle, x, y)
@@ -75,6 +89,8 @@ def circle_line(circle: JointCircle, x: float, y: float) -> str:
     """Return the command line that a pointer on a joint circle means; beyond a limit the nearer limit is taken."""
     across, up = on_disc(circle.rectangle, x, y)
     angle = _readable(math.degrees(math.atan2(across, up)))
+    angle += 360.0 * round((circle.angles[circle.column] - angle) / 360.0)  # the turn that the joint is in
+    angle += 360.0 * ((angle < circle.low) - (angle > circle.high))
     if not circle.low <= angle <= circle.high:
         angle = min((circle.low, circle.high), key=lambda limit: abs((angle - limit + 180) % 360 - 180))
     angles = list(circle.angles)

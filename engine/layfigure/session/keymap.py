@@ -197,11 +197,11 @@ _NAMES = {
 }
 
 
+@lru_cache(maxsize=64)
 def hints(table: KeyTable, now: Situation) -> tuple[tuple[str, str], ...]:
-    """Return (keys, word) of the bindings with a hint; what a technique's own keys hide is left out."""
-    valid = list(table.valid(now))
-    taken = {key for binding in valid if binding.technique for key in binding.keys}
-    shown = [each for each in valid if each.hint and (each.technique or each.keys[0] not in taken)]
+    """Return (keys, word) of the bindings with a hint whose key no other has taken; kept, for every frame has them."""
+    hinted = [each for each in table.valid(now) if each.hint]
+    shown = [each for each in hinted if table.resolve(each.keys[0], now) == each.line(each.keys[0])]
     return tuple((_span(binding), binding.hint) for binding in shown)
 
 

@@ -19,23 +19,39 @@ UNIT: Scale = (1.0, 1.0)
 
 
 class Areas(NamedTuple):
-    """The four areas of a window in pixels. ``page`` is empty where no candidates are shown."""
+    """The areas of a window in pixels. ``page`` is empty without candidates, ``time_line`` without a motion."""
 
     page: Rectangle
     poser: Rectangle
     panel: Rectangle
     status: Rectangle
+    time_line: Rectangle = Rectangle(0, 0, 0, 0)
 
 
-def areas(size: Size, *, with_page: bool) -> Areas:
+def areas(size: Size, *, with_page: bool, with_time_line: bool = False) -> Areas:
     """Return the areas of a surface; the working pose gets the page's place where there are no candidates."""
+    status, strip = round(metrics(size).status * size.scale), round(time_line_height(size) * size.scale)
+    bar = Rectangle(0, size.height - status, size.width, status)
+    if not with_time_line:
+        return _above(bar, size, with_page=with_page)
+    line = Rectangle(0, bar.y - strip, size.width, strip)
+    return _above(line, size, with_page=with_page)._replace(status=bar, time_line=line)
+
+
+def time_line_height(size: Size) -> int:
+    """Return how high the strip of the time line is in layout units; on a low surface it is lower."""
+    of = metrics(size)
+    return of.time_line if size.height >= of.low * size.scale else of.time_line_low
+
+
+def _above(bar: Rectangle, size: Size, *, with_page: bool) -> Areas:
+    """Return the areas of what stands above a bar along the bottom."""
     of, unit = metrics(size), size.scale
-    margin, top, status = round(of.margin_x * unit), round(of.margin_y * unit), round(of.status * unit)
-    inner_height = size.height - status - 2 * top
+    margin, top = round(of.margin_x * unit), round(of.margin_y * unit)
+    inner_height = bar.y - 2 * top
     column = round(min(max(size.width * of.column_share, of.column_least * unit), of.column_most * unit))
     left = size.width - margin - column
     page = Rectangle(margin, top, max(left - 2 * margin, 1), max(inner_height, 1))
-    bar = Rectangle(0, size.height - status, size.width, status)
     if not with_page:
         return Areas(Rectangle(margin, top, 0, 0), page, Rectangle(left, top, column, inner_height), bar)
     wanted = round(of.heading * unit) + round(column / of.poser_shape)
@@ -43,7 +59,7 @@ def areas(size: Size, *, with_page: bool) -> Areas:
     poser_height = _whole(min(wanted, allowed), of.grain)
     poser = Rectangle(left, top, column, poser_height)
     below = top + poser_height + round(of.gap_y * unit)
-    return Areas(page, poser, Rectangle(left, below, column, size.height - status - top - below), bar)
+    return Areas(page, poser, Rectangle(left, below, column, bar.y - top - below), bar)
 
 
 def _whole(length: int, grain: int) -> int:

@@ -68,6 +68,14 @@ class Metrics:
     across: int = 3
     toggles_across: int = 4
     overflow: bool = True  # whether what has no room is there all the same, hidden by the status bar
+    # the time line: its strip, lower on a surface lower than ``low``, and from left to right a button and a text
+    time_line: int = 44
+    time_line_low: int = 26
+    low: int = 560
+    time_button: int = 92
+    time_text: int = 108
+    time_text_low: int = 64
+    time_number: int = 56  # the least room for a number on it, across
     # dialogs
     padding_x: int = 24
     padding_y: int = 24
@@ -126,6 +134,13 @@ CELLS = Metrics(
     across=3,
     toggles_across=3,
     overflow=False,
+    time_line=2,
+    time_line_low=2,
+    low=0,
+    time_button=13,
+    time_text=11,
+    time_text_low=11,
+    time_number=8,
     padding_x=3,
     padding_y=2,
     edge_x=2,

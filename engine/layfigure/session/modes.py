@@ -76,7 +76,14 @@ class Hover:
     over: tuple[int, int] | None
 
 
-Outcome = Push | Pop | Become | Run | Preview | Continue | Settle | GiveUp | Hover
+@dataclass(frozen=True)
+class Scrub:
+    """The time line is dragged along: show a frame of the motion, until the gesture ends."""
+
+    frame: int
+
+
+Outcome = Push | Pop | Become | Run | Preview | Continue | Settle | GiveUp | Hover | Scrub
 
 
 class Mode(Protocol):

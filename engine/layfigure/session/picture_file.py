@@ -22,25 +22,35 @@ SHEET_SIDE = 800
 
 @dataclass(frozen=True)
 class PictureOptions:
-    """What a picture shows: the height in pixels, one view or a sheet of front, right and top, and the camera."""
+    """What a picture shows: how many pixels it is high, one view or a sheet of front, right and top, and the camera.
+
+    Without a ``width`` a view is square, and a sheet half as wide again as it is high.
+    """
 
     side: int = SHEET_SIDE
     sheet: bool = True
     camera: Camera = field(default_factory=Camera)
+    width: int | None = None
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """The width and the height in pixels."""
+        usual = self.side + self.side // 2 if self.sheet else self.side
+        return self.width or usual, self.side
 
 
 def draw_pose(session: Session, pose: Pose, options: PictureOptions) -> Target:
-    """Return a picture of a pose: a square view, and for a sheet the right and top views at half its size."""
-    side = options.side
-    half = side // 2
-    views = [(Rectangle(0, 0, side, side), options.camera)]
+    """Return a picture of a pose: a view; on a sheet the right and top views fill the right third."""
+    width, height = options.size
+    third, half = (width // 3 if options.sheet else 0), height // 2
+    views = [(Rectangle(0, 0, width - third, height), options.camera)]
     if options.sheet:
-        views.append((Rectangle(side, 0, half, half), fixed_view("right")))
-        views.append((Rectangle(side, half, half, side - half), fixed_view("top")))
+        views.append((Rectangle(width - third, 0, third, half), fixed_view("right")))
+        views.append((Rectangle(width - third, half, third, height - half), fixed_view("top")))
     figure = session.document.figure
     shots = [Shot(0, rectangle, camera, session.theme.pane) for rectangle, camera in views]
     colouring = plain_colouring(load_palette("default").rgb(figure.colours), 1, len(figure.limbs))
-    target = new_target(side + half if options.sheet else side, side)
+    target = new_target(width, height)
     session.render(build_render_list(figure, (pose,), shots, colouring), target)
     return target
 

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
 from layfigure.session.events import DropEvent, Event, KeyEvent, PointerEvent
-from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Pane, SliderBar, Widget
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Pane, SliderBar, TimeLine, Widget
 from layfigure.session.gestures import (
     BandDrag,
     DialDrag,
     GoalDrag,
     OrbitDrag,
     SliderDrag,
+    TimeLineDrag,
     camera_line,
     dial_line,
     slider_line,
@@ -29,6 +31,7 @@ from layfigure.session.modes import (
     Preview,
     Push,
     Run,
+    Scrub,
     Settle,
 )
 from layfigure.session.stage import SKELETON
@@ -38,6 +41,7 @@ if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 LEFT, RIGHT = 1, 3
+BESIDE = 8  # layout units left of the first frame that are the first frame's
 
 
 def route(session: Session, event: Event) -> None:
@@ -69,6 +73,9 @@ def happen(session: Session, outcome: Outcome) -> None:
             session.settle(limb)
         case GiveUp():
             session.give_up_preview()
+            session.playback.give_up()
+        case Scrub(frame):
+            session.playback.scrub(Fraction(frame))
         case Hover(over):
             session.view = replace(session.view, hover=over)
 
@@ -118,6 +125,8 @@ def _widget_pressed(session: Session, widget: Widget, event: PointerEvent) -> Se
         case SliderBar():
             line = slider_line(widget, event.x)
             return [Push(SliderDrag(widget, line)), Preview(line)]
+        case TimeLine(track=track) if event.x >= track.x - BESIDE * session.stage.size.scale:
+            return [Push(TimeLineDrag(widget)), Scrub(widget.frame_at(event.x))]
         case JointBall() | JointCircle() if not (isinstance(widget, JointCircle) and widget.column < 0):
             line = dial_line(widget, event.x, event.y)
             return [Push(DialDrag(widget, locked=bool(session.document.locks))), Preview(line)]
@@ -150,6 +159,7 @@ def _own_gesture(session: Session, pane: Pane, event: PointerEvent, click: str) 
     end = session.stage.end_at(pane, event.x, event.y)
     if end is None or event.shift:
         return BandDrag(pane, start, click, "enable-in only" if event.shift else "select-in")
+    session.playback.settle()
     return GoalDrag(pane, start, click, session.document.figure.names[end], session.stage.tip_pixels(pane, end))
 
 
@@ -176,6 +186,8 @@ def _wheel(session: Session, event: PointerEvent) -> Sequence[Outcome]:
     widget = session.stage.widget_at(event.x, event.y)
     if isinstance(widget, SliderBar):
         return [Run(f"{widget.command} {event.steps * widget.step:+g}")]
+    if isinstance(widget, TimeLine):
+        return [Run("step -1" if event.steps > 0 else "step 1")]
     if session.stage.pane_at(event.x, event.y) is None:
         return []
     camera = session.view.camera

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from layfigure.configuration import load_bindings
-from layfigure.drawing.joint_kinds import coded_by_kind
 from layfigure.drawing.render_list import PLAIN, Look, RenderList, Target
 from layfigure.errors import LayfigureError, PluginError
 from layfigure.plugins.discovery import Found
@@ -32,6 +31,7 @@ from layfigure.session.keymap import hints as hints_of
 from layfigure.session.layout import UNIT, Scale
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
+from layfigure.session.playback import Playback
 from layfigure.session.rendering import Renderers
 from layfigure.session.routing import route
 from layfigure.session.stage import Stage
@@ -82,6 +82,7 @@ class Session:
         self.on_closed: Callable[[bool], None] = lambda interrupted: None
         self._renderers = Renderers(host, self.say, compiled=self.options.compiled)
         self._stage = Stage(self)
+        self.playback = Playback(self)
         self._before_preview: Document | None = None
         self._key_table: tuple[tuple[Technique, ...], KeyTable] | None = None
         self._faults_seen = 0
@@ -104,12 +105,14 @@ class Session:
         """Return what to show on a surface of that size."""
         return self._stage.compose(size).frame
 
-    def draw(self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: Scale = UNIT) -> None:
-        """Draw the views of the frame composed last into a target, perhaps ``enlarged``; ``kinds`` codes them for
-        :func:`layfigure.drawing.joint_kinds.kinds_shown`."""
+    def draw(
+        self, frame: Frame, target: Target, *, kinds: bool = False, enlarged: Scale = UNIT, page: bool = True
+    ) -> None:
+        """Draw the views of the frame composed last into a target, perhaps ``enlarged`` or without the ``page``;
+        ``kinds`` codes them for :func:`layfigure.drawing.joint_kinds.kinds_shown`."""
         assert self._stage.picture.frame is frame
-        listed = self._stage.enlarged(*enlarged)
-        self.render(coded_by_kind(listed, self.document.figure) if kinds else listed, target, PLAIN if kinds else None)
+        for listed in self._stage.picture.drawn(enlarged, page=page, kinds=kinds):
+            self.render(listed, target, PLAIN if kinds else None)
 
     def render(self, render_list: RenderList, target: Target, look: Look | None = None) -> None:
         """Draw with the chosen renderer, or the next that works, in the view's look or another.
@@ -126,6 +129,7 @@ class Session:
         """Start over with a document: no history, a log that says where it begins."""
         self.document = self._opened(document)
         self.history = History()
+        self.playback.give_up()
         self.view = replace(self.view, selected=(), hover=None, candidate=0)
         self._left = False
         self.log = header(quoted(reference_to(document.figure)), self.document.technique or "none")
@@ -171,6 +175,7 @@ class Session:
             hint = did_you_mean(line.name, self.commands())
             raise WordError(0, f'there is no command "{line.name[:40]}"{hint}')
         self.give_up_preview()
+        self.playback.make_way(command)
         self._log_leaving()
         self.status = ""
         if self.host.commands.get(command.id) is command:
@@ -235,6 +240,7 @@ class Session:
 
         With ``onward`` it is done from where the last preview stands, as the next step of a drag.
         """
+        self.playback.settle()
         before = self._before_preview if onward else None
         if before is None:
             self.give_up_preview()
@@ -317,7 +323,8 @@ class Session:
     @property
     def situation(self) -> Situation:
         """Where a key would be pressed now."""
-        return Situation(self.mode.state, self.document.technique, self.options.frontend, self.channels)
+        channels = self.channels if self.document.motion is None else self.channels | {"motion"}
+        return Situation(self.mode.state, self.document.technique, self.options.frontend, channels)
 
     def key_table(self) -> KeyTable:
         """Return all bindings, the techniques' own first, then the keymaps; made anew when a technique falls out."""
@@ -339,7 +346,7 @@ class Session:
 
     def describe_selection(self) -> tuple[str, ...]:
         """Return lines that say what is selected and how it stands."""
-        return describe_limbs(self.document, self.view.selected)
+        return describe_limbs(self.playback.shown, self.view.selected)
 
     # --- inside ---------------------------------------------------------------------------------------------------
 

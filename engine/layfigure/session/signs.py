@@ -33,7 +33,7 @@ FARTHEST = 1e5  # pixels; no window is so large, and what is not a number is not
 
 def overlay_lines(session: Session, panes: Sequence[Pane], shots: Sequence[Shot]) -> Iterator[WorldLine]:
     """Yield the lines of the plug-ins' overlays that are on, over every given pane."""
-    figure, pose = session.document.figure, session.document.pose
+    figure, pose = session.document.figure, session.playback.shown.pose
     for key in sorted(session.view.overlays & set(session.host.overlays)):
         record = session.host.overlays.get(key)
         if record is None:  # its plug-in fell out over the overlay before
@@ -129,7 +129,7 @@ def drawn(
 
 def _row_of(session: Session, shot: Shot) -> Floats:
     """Return the row (1, 18) of a view as it shows the working pose, whichever pose it is a view of."""
-    return shot_rows([replace(shot, pose=0)], [session.document.pose])
+    return shot_rows([replace(shot, pose=0)], [session.playback.shown.pose])
 
 
 def _add(role: str, path: list[list[float]], pane: Pane, into: tuple[list[WorldLine], list[Sign]]) -> None:

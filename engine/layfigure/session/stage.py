@@ -13,13 +13,15 @@ from layfigure.drawing.camera import FIXED_VIEWS, Camera, framing
 from layfigure.drawing.geometry import from_pixels, to_pixels
 from layfigure.drawing.palette import load_palette
 from layfigure.drawing.picking import limbs_inside, pick
-from layfigure.drawing.render_list import Rectangle, RenderList, Style
-from layfigure.drawing.shots import Colouring, Shot, build_render_list, shot_rows
-from layfigure.errors import ImpossibleError
+from layfigure.drawing.render_list import Look, Rectangle, Style
+from layfigure.drawing.shots import Colouring, Shot, shot_rows
+from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.kinematics.forward import place_pose
 from layfigure.poses.locks import locked_joints, tips_of
 from layfigure.poses.pose import Pose
+from layfigure.session.document import Document
 from layfigure.session.frame import Frame, Label, Outline, Pane, Sign, Size, Widget, WorldLine
+from layfigure.session.ghosts import GhostKeeper, Scenery
 from layfigure.session.joint_dials import joint_dials, joint_sliders
 from layfigure.session.layout import (
     Areas,
@@ -29,12 +31,14 @@ from layfigure.session.layout import (
     grid,
     pane_at,
     poser_views,
-    stretched,
     three_views,
 )
 from layfigure.session.metrics import Metrics, metrics
+from layfigure.session.moments import known_curves
 from layfigure.session.panel import PanelText, panel
+from layfigure.session.picture import Picture
 from layfigure.session.signs import drawn, lock_marks, overlay_lines, technique_marks
+from layfigure.session.time_line import time_line_widgets
 from layfigure.techniques.contract import Offer
 
 if TYPE_CHECKING:
@@ -44,40 +48,33 @@ WORKING, SKELETON = -1, -2
 FAR = 0.35  # of what a view shows from its middle to its edge: how far the root may be carried in a still picture
 
 
-@dataclass(frozen=True)
-class Picture:
-    """A composed frame and what it shows: poses (the working pose first), shots and their render list."""
-
-    frame: Frame
-    poses: tuple[Pose, ...]
-    shots: tuple[Shot, ...]
-    render_list: RenderList
-    colouring: Colouring
-
-
 class Stage:
     """Composes pictures of one session and answers where things are in the last one."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
         self._picture: Picture | None = None
+        self._ghosts = GhostKeeper()
+        self._painter: tuple[str, Look] | None = None
+        self._pages = 0
 
     def compose(self, size: Size) -> Picture:
         """Return the picture of the session as it is now on a surface of that size."""
         session = self._session
-        offer = session.offer()
+        shown, offer = session.playback.shown, session.offer()
         skeleton = session.view.skeleton
-        place = areas(size, with_page=bool(offer.candidates) or skeleton)
+        with_page, with_line = bool(offer.candidates) or skeleton, shown.motion is not None
+        place = areas(size, with_page=with_page, with_time_line=with_line)
         self._follow_root()
-        poses = (session.document.pose, *offer.candidates, *[session.document.pose] * skeleton)
+        poses = (shown.pose, *offer.candidates, *[shown.pose] * skeleton)
         panes: list[Pane] = []
         shots: list[Shot] = []
         for candidate, view, rectangle in _views(place, offer, self._asked(size), skeleton=skeleton):
             camera = session.view.camera if view == "main" else Camera(FIXED_VIEWS[view], session.view.camera.zoom)
             background = session.theme.pane_chosen if candidate == session.view.candidate else session.theme.pane
             panes.append(Pane(candidate, view, rectangle, len(shots)))
-            shown = len(poses) - 1 if candidate == SKELETON else candidate + 1
-            shots.append(Shot(shown, rectangle, camera, background, self._anchor(candidate, poses[shown])))
+            pose = len(poses) - 1 if candidate == SKELETON else candidate + 1
+            shots.append(Shot(pose, rectangle, camera, background, self._anchor(candidate, poses[pose])))
         lines, signs = self._marked(panes, shots, offer)
         widgets = tuple(self._widgets(place, panes, offer, size))
         frame = Frame(
@@ -94,18 +91,28 @@ class Stage:
             text_input=session.mode.state == "palette",
             theme=session.view.theme,
         )
-        colouring = self._colouring(len(poses), skeleton)
-        listed = build_render_list(session.document.figure, poses, shots, colouring)
-        self._picture = Picture(frame, poses, tuple(shots), listed, colouring)
+        own, colouring = sum(pane.candidate == WORKING for pane in panes), self._colouring(len(poses), skeleton)
+        picture = Picture(frame, shown.figure, poses, tuple(shots), own, colouring, self._scenery(shown))
+        self._picture = self._paged(picture)
         return self._picture
 
-    def enlarged(self, across: float, down: float) -> RenderList:
-        """Return what the last picture shows on a surface of so many times its width and height."""
-        picture = self.picture
-        if (across, down) == (1.0, 1.0):
-            return picture.render_list
-        shots = [replace(shot, rectangle=stretched(shot.rectangle, across, down)) for shot in picture.shots]
-        return build_render_list(self._session.document.figure, picture.poses, shots, picture.colouring)
+    def _scenery(self, shown: Document) -> Scenery:
+        """Return what stands behind the figures; while a motion plays there are no ghosts, which would hide it."""
+        session = self._session
+        onion = "" if session.view.playing else session.view.onion
+        try:
+            return Scenery(session.theme, self._ghosts.of(shown, onion, known_curves(session.host)))
+        except LayfigureError as error:  # such as an interpolation whose plug-in has fallen out
+            session.say(str(error))
+            return Scenery(session.theme)
+
+    def _paged(self, picture: Picture) -> Picture:
+        """Return a picture that says in its frame whether its page looks as in the picture before."""
+        before, painter = self._picture, (self._session.view.renderer, self._session.view.look)
+        same = before is not None and picture.same_page(before) and painter == self._painter
+        self._pages += not same
+        self._painter = painter
+        return replace(picture, frame=replace(picture.frame, page=self._pages))
 
     @property
     def picture(self) -> Picture:
@@ -129,7 +136,7 @@ class Stage:
 
     def widget_at(self, x: float, y: float) -> Widget | None:
         """Return the widget under a point that is not a label."""
-        widgets = self.picture.frame.widgets
+        widgets = reversed(self.picture.frame.widgets)  # what is painted last lies on top
         return next((w for w in widgets if not isinstance(w, Label) and w.rectangle.contains(x, y)), None)
 
     def limb_at(self, pane: Pane, x: float, y: float) -> int | None:
@@ -157,7 +164,7 @@ class Stage:
 
     def tip_pixels(self, pane: Pane, limb: int) -> tuple[float, float, float]:
         """Return where a limb's end is shown in a pane of the working pose: x and y in pixels, and its depth."""
-        figure, pose = self._session.document.figure, self._session.document.pose
+        figure, pose = self._session.document.figure, self._session.playback.shown.pose
         x, y, z = to_pixels(figure, self._row(pane), tips_of(figure, place_pose(figure, pose))[limb]).tolist()
         return x, y, z
 
@@ -191,9 +198,11 @@ class Stage:
         session = self._session
         own = [pane for pane in panes if pane.candidate < 0]
         bones = [pane for pane in own if pane.candidate == SKELETON]
-        marks = [*lock_marks(session.document), *technique_marks(session, offer, cones=False)]
+        passing = session.view.passing is not None  # then the technique speaks of another pose than is shown
+        own_marks = () if passing else technique_marks(session, offer, cones=False)
+        marks = [*lock_marks(session.playback.shown), *own_marks]
         lines, signs = drawn(session, marks, own, shots)
-        if bones:
+        if bones and not passing:
             cone_lines, cone_signs = drawn(session, technique_marks(session, offer, cones=True), bones, shots)
             lines, signs = [*cone_lines, *lines], [*cone_signs, *signs]
         return (*overlay_lines(session, own, shots), *lines), tuple(signs)
@@ -201,20 +210,22 @@ class Stage:
     def _follow_root(self) -> None:
         """Let the cameras stay where they are until the root has been carried far, but not while it is dragged."""
         session = self._session
-        root = session.document.pose.translation
+        root = session.playback.shown.pose.translation
         far = np.abs(root - session.view.anchor).max() > FAR * framing(session.document.figure).half_extent
         if far and not session.previewing:
-            x, y, z = root.tolist()
+            smooth = session.view.passing is not None  # one that walks is accompanied, not caught up with
+            x, y, z = self._kept_near(root) if smooth else root.tolist()
             session.view = replace(session.view, anchor=(x, y, z))
 
     def _anchor(self, candidate: int, pose: Pose) -> tuple[float, float, float]:
         """Return what a view's camera stays with: candidates whose root was carried far are kept in sight."""
-        anchor = self._session.view.anchor
-        if candidate < 0:
-            return anchor
+        return self._session.view.anchor if candidate < 0 else self._kept_near(pose.translation)
+
+    def _kept_near(self, root: NDArray[np.float64]) -> tuple[float, float, float]:
+        """Return the anchor, moved as little as keeps a root in sight."""
         reach = FAR * framing(self._session.document.figure).half_extent
-        away = pose.translation - anchor
-        x, y, z = (anchor + away - np.clip(away, -reach, reach)).tolist()
+        away = root - self._session.view.anchor
+        x, y, z = (root - np.clip(away, -reach, reach)).tolist()
         return (x, y, z)
 
     def _colouring(self, poses: int, skeleton: bool) -> Colouring:
@@ -250,6 +261,7 @@ class Stage:
         widgets = panel(Column(place.panel, unit, of), self._panel_text(offer, size), self._session.key_for)
         bottom = place.panel.y + place.panel.height
         yield from (w for w in widgets if of.overflow or w.rectangle.y + w.rectangle.height <= bottom)
+        yield from time_line_widgets(self._session, place.time_line, size)
 
     def _asked(self, size: Size) -> Asked:
         """Return what a surface has room for, and the view that is shown where there is room for one only."""
@@ -276,7 +288,7 @@ class Stage:
             technique=session.document.technique,
             controls=session.controls(),
             offer=offer,
-            dials=dials(session.document, session.view.selected) if "drag" in session.channels else (),
+            dials=dials(session.playback.shown, session.view.selected) if "drag" in session.channels else (),
             on=frozenset({"symmetric"} if session.document.symmetric else ()),
         )
 

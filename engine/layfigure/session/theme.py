@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 
 from layfigure import resources
@@ -15,10 +15,12 @@ RGB = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class ViewTheme:
-    """Backgrounds of views: ordinary, and of the candidate that keys act on."""
+    """Backgrounds of views: ordinary, and of the candidate that keys act on; and the ghosts of a motion in them."""
 
     pane: RGB
     pane_chosen: RGB
+    before: RGB
+    after: RGB
 
 
 def theme_names() -> tuple[str, ...]:
@@ -37,7 +39,7 @@ def view_theme(name: str) -> ViewTheme:
     if name not in names:
         raise LayfigureError(f'there is no theme "{name}"; it can be {", ".join(names)}{did_you_mean(name, names)}')
     views = tomllib.loads(resources.data("themes", f"{name}.toml").read_text(encoding="utf-8"))["views"]
-    return ViewTheme(_rgb(views["pane"]), _rgb(views["pane_chosen"]))
+    return ViewTheme(**{each.name: _rgb(views[each.name]) for each in fields(ViewTheme)})
 
 
 def _rgb(text: str) -> RGB:

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from layfigure.drawing.camera import Camera
 from layfigure.drawing.render_list import RECOMMENDED, Look
+
+if TYPE_CHECKING:
+    from layfigure.session.document import Document
 
 
 @dataclass(frozen=True)
@@ -17,6 +21,11 @@ class ViewState:
     are the plug-ins' overlays that are shown. ``anchor`` is the world point that the cameras stay with, so that a root
     that is carried is seen to move; ``skeleton`` says whether the skeleton is shown in the candidates' place;
     ``shown`` is the view of every pose (``main``, ``right``, ``top``) where the surface has no room for three.
+
+    ``passing`` is what stands in the document's place while a motion plays or its time line is dragged along; nothing
+    of it is recorded. It plays if ``playing``, ``speed`` times as fast as it should, from its end on from its beginning
+    if ``loop``. ``onion`` says which moments are shown as ghosts: those of ``keys``, those so many frames away, or
+    (empty) none.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -30,3 +39,8 @@ class ViewState:
     anchor: tuple[float, float, float] = (0.0, 0.0, 0.0)
     skeleton: bool = False
     shown: str = "main"
+    passing: Document | None = None
+    playing: bool = False
+    loop: bool = True
+    speed: float = 1.0
+    onion: str = ""

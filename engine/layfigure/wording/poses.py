@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.figures.spoken import both_limbs, spoken_limb
 from layfigure.poses.freedom import existing_angles
@@ -75,7 +74,7 @@ def _joints(figure: Figure, pose: Pose, leaving_out: frozenset[int] = frozenset(
 def _joint(figure: Figure, pose: Pose, limb: int) -> tuple[str, ...]:
     clauses = []
     has = existing_angles(figure)[limb]
-    for column, kind in enumerate(DOF_KINDS):
+    for column, kind in enumerate(figure.limbs[limb].kinds):
         angle = fives(float(pose.angles[limb, column]))
         if has[column] and angle:
             words = f"{kind} {angle} degrees"

@@ -1,4 +1,4 @@
-"""``layfigure breathe``: small variants that bring a still character to life, as a pose set or a loop."""
+"""``layfigure breathe``: small variants that bring a still character to life, as a pose set, a motion or a loop."""
 
 from __future__ import annotations
 
@@ -34,25 +34,34 @@ breath_options = as_record(
 
 @click.command("breathe")
 @click.argument("source", metavar="FILE.pose|FIGURE")
-@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="A .poses set or a .gif loop.")
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path),
+    help="A .poses set, a .motion, or a loop such as .gif or .mp4.",
+)
 @breath_options
 @plugin_options
 def command(source: str, output: Path, breath: Breath, choice: PluginChoice) -> int:
-    """Write small variants round the pose in FILE: a set that begins with the pose, or a loop through it and back."""
+    """Write small variants round the pose in FILE: a set that begins with the pose, a motion or a loop through it."""
     from layfigure.errors import FileError
     from layfigure.poses.pose_set import save_poses
-    from layfigure.session.commands.files import breathing
-    from layfigure_frontends.loop_file import save_loop
+    from layfigure.session.commands.files import breathing, save_breath
+    from layfigure_frontends.film.outputs import MOVING
+    from layfigure_frontends.film.production import produce
+    from layfigure_frontends.film.sources.poses import loop_of, options_of
     from layfigure_frontends.opening import open_session
-    from layfigure_frontends.picture_choice import picture_of
 
-    if output.suffix not in (".poses", ".gif"):
-        raise FileError(f"{output}: breathing is written as .poses or .gif")
+    if output.suffix not in (".poses", ".motion", *MOVING):
+        raise FileError(f"{output}: breathing is written as .poses, .motion, or as a loop: {', '.join(MOVING)}")
     session = open_session(choice, source, "headless")
     poses = breathing(session, breath.variants, breath.intensity)
     if output.suffix == ".poses":
         save_poses(output, session.document.figure, poses)
+    elif output.suffix == ".motion":
+        save_breath(output, session.document, poses)
     else:
-        save_loop(session, poses, output, picture_of(breath.size, breath.view))
+        produce(loop_of(session, poses, options_of((None, breath.size), breath.view)), output)
     click.echo(str(output))
     return 0

@@ -6,27 +6,33 @@ from pathlib import Path
 
 import click
 
+from layfigure.language.limits import Limits
 from layfigure_frontends.opening import PluginChoice, plugin_options
+from layfigure_frontends.script import limit_options
 
 
 @click.command("check")
 @click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE…")
+@limit_options
 @plugin_options
-def command(paths: tuple[Path, ...], choice: PluginChoice) -> int:
-    """Say whether each FILE (.fig, .pose, .poses or .log) is right; a mistake is named with line and column."""
+def command(paths: tuple[Path, ...], limits: Limits, choice: PluginChoice) -> int:
+    """Say whether each FILE is right; a mistake is named with line and column.
+
+    It may be a .fig, .pose, .poses, .log, .motion or .lay file. A script is run, but draws and writes nothing.
+    """
     from layfigure.errors import LayfigureError
 
     status = 0
     for path in paths:
         try:
-            click.echo(f"{path}: {_verdict(path, choice)}")
+            click.echo(f"{path}: {_verdict(path, limits, choice)}")
         except LayfigureError as error:
             click.echo(f"layfigure: {' '.join(str(error).split())}", err=True)
             status = 2
     return status
 
 
-def _verdict(path: Path, choice: PluginChoice) -> str:
+def _verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:
     from layfigure.errors import FileError
 
     match path.suffix.lower():
@@ -52,7 +58,30 @@ def _verdict(path: Path, choice: PluginChoice) -> str:
             log = load_log(path)
             play_log(choice, log)
             return f"right; {len(log.commands)} commands play to the end"
+        case ".motion":
+            return _motion_verdict(path)
+        case ".lay":
+            return _script_verdict(path, limits, choice)
         case suffix:
-            raise FileError(
-                f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in .fig, .pose, .poses or .log'
-            )
+            known = ".fig, .pose, .poses, .log, .motion or .lay"
+            raise FileError(f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in {known}')
+
+
+def _motion_verdict(path: Path) -> str:
+    from layfigure.motions.motion_file import load_motion
+    from layfigure.motions.numbers import written
+
+    motion = load_motion(path).motion
+    keys = f"{motion.key_count} key{'s' * (motion.key_count != 1)}"
+    return f"right; {written(motion.duration)} frames, {len(motion.tracks)} joints, {keys}"
+
+
+def _script_verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:
+    from layfigure_frontends.script import run
+
+    programme = run(path, limits, choice)
+    for warning in programme.warnings:
+        click.echo(f"layfigure: {warning}", err=True)
+    pictures = sum(len(scene.pictures) for scene in programme.scenes)
+    scenes = len(programme.scenes)
+    return f"right; {scenes} scene{'s' * (scenes != 1)}, {pictures} picture{'s' * (pictures != 1)}"

@@ -59,13 +59,13 @@ line_options = as_record(
 
 
 @click.command("pose")
-@click.argument("what", default="", metavar="[FIGURE|POSE]")
+@click.argument("what", default="", metavar="[FIGURE|POSE|MOTION]")
 @click.option("--frontend", type=click.Choice(FRONTENDS), help="Where to work (default: what there is).")
 @line_options
 @window_options
 @plugin_options
 def command(what: str, frontend: str | None, lines: LineChoice, window: WindowChoice, choice: PluginChoice) -> int:
-    """Pose a figure (by name or .fig file) or go on with a .pose file.
+    """Pose a figure (by name or .fig file), or go on with a .pose or a .motion file.
 
     Opens a window where there is a display, else works in the terminal; where there is none either, plays a script and
     writes a picture and a pose. With --plain lines are read from a terminal or a pipe and answered in sentences.

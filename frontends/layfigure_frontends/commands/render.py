@@ -1,102 +1,93 @@
-"""``layfigure render``: a pose or a session's result as a picture."""
+"""``layfigure render``: poses, motions and scripts as pictures and films."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from layfigure_frontends.film.choice import FilmChoice, read_part, read_rate, read_size
 from layfigure_frontends.opening import PluginChoice, as_record, plugin_options
 
 if TYPE_CHECKING:
-    from layfigure.poses.pose import Pose
-    from layfigure.session.session import Session
+    from layfigure_frontends.film.reel import Film
 
+_PATH = click.Path(path_type=Path)
 
-@dataclass(frozen=True)
-class PictureChoice:
-    """What the picture is to show and how."""
-
-    size: int
-    view: str
-    renderer: str | None
-    look: str
-
-
-picture_options = as_record(
-    "picture",
-    PictureChoice,
-    click.option("--size", type=click.IntRange(16, 8192), default=800, show_default=True, help="Height in pixels."),
-    click.option("--view", default="sheet", show_default=True, help="sheet (front, right, top), or one view by name."),
+film_options = as_record(
+    "film",
+    FilmChoice,
+    click.option(
+        "--size",
+        metavar="WxH",
+        callback=lambda _, __, text: read_size(text),
+        help="Pixels; a height alone will do.  [default: 800 for poses, else 640x480]",
+    ),
+    click.option("--view", help="One view by name, or sheet: front, right and top.  [default: sheet for poses]"),
     click.option("--renderer", help="Draw with another renderer."),
     click.option("--look", default="full", show_default=True, help="plain, smooth or full."),
+    click.option(
+        "--fps",
+        "rate",
+        metavar="RATE",
+        callback=lambda _, __, text: read_rate(text),
+        help="Pictures per second.  [default: the motion's own, else 24]",
+    ),
+    click.option(
+        "--frames",
+        "part",
+        metavar="A:B",
+        callback=lambda _, __, text: read_part(text),
+        help="Only pictures A up to but without B, from 0.",
+    ),
+    click.option("--figure", help="The figure that a motion moves.  [default: the motion's own]"),
+    click.option("--dry-run", is_flag=True, help="Say what would be drawn: durations, pictures, clamps, seams."),
+    click.option("--no-cache", is_flag=True, help="Draw everything anew and keep nothing."),
 )
 
 
 @click.command("render")
-@click.argument("source", type=click.Path(path_type=Path), metavar="FILE.pose|FILE.poses|LOG")
-@click.option(
-    "-o", "--output", required=True, type=click.Path(path_type=Path), help="The picture to write; a folder for a set."
-)
-@picture_options
+@click.argument("source", type=_PATH, metavar="FILE")
+@click.option("-o", "--output", type=_PATH, help="What to write; its name says how.")
+@film_options
 @plugin_options
-def command(source: Path, output: Path, picture: PictureChoice, choice: PluginChoice) -> int:
-    """Draw the pose in FILE, the pose that a session LOG ends at, or every pose of a set.
+def command(source: Path, output: Path | None, film: FilmChoice, choice: PluginChoice) -> int:
+    """Draw FILE: a .lay script, a .motion, a .pose, a set of .poses, or what a session's .log ends at.
 
-    The pictures of a set go into the folder OUTPUT; as .gif they become a loop through the poses and back.
+    \b
+    The name of OUTPUT says what becomes of it:
+      film.mp4, .gif, .webp, .apng   a film
+      frames/%04d.png                numbered pictures
+      picture.png                    the only picture, else a contact sheet
+      a folder                       a picture of every pose of a set
     """
-    from layfigure.session.picture_file import save_picture
-    from layfigure_frontends.loop_file import save_loop
-    from layfigure_frontends.picture_choice import picture_of
+    from layfigure.errors import LayfigureError
+    from layfigure_frontends.film.opening import open_film
+    from layfigure_frontends.film.plan import plan
+    from layfigure_frontends.film.stills import draw_stills
 
-    session = _open(source, choice)
-    if picture.renderer is not None:
-        session.execute(f"renderer {picture.renderer}")
-    session.execute(f"look {picture.look}")
-    options = picture_of(picture.size, picture.view)
-    if source.suffix != ".poses":
-        save_picture(session, session.document.pose, output, options)
-        click.echo(str(output))
-        return 0
-    poses = _poses(source)
-    if output.suffix == ".gif":
-        save_loop(session, poses, output, options)
-        click.echo(str(output))
-        return 0
-    folder = _folder(output)
-    for number, pose in enumerate(poses, start=1):
-        path = folder / f"{source.stem}-{number}.png"
-        save_picture(session, pose, path, options)
-        click.echo(str(path))
+    if output is None and not film.dry_run:
+        raise LayfigureError("say with -o what to write, such as -o film.mp4, or ask with --dry-run what there is")
+    if output is not None and not film.dry_run:
+        written = draw_stills(source, output, film, choice)
+        if written:
+            click.echo("\n".join(map(str, written)))
+            return 0
+    whole = open_film(source, output, film, choice)
+    if output is None or film.dry_run:
+        click.echo("\n".join(plan(whole, output)))
+    else:
+        _produce(whole, output, cached=not film.no_cache)
     return 0
 
 
-def _poses(source: Path) -> tuple[Pose, ...]:
-    from layfigure.poses.pose_set import load_poses
+def _produce(film: Film, output: Path, *, cached: bool) -> None:
+    """Write a film, and say where it is and how it fits its format."""
+    from layfigure import places
+    from layfigure_frontends.film.production import produce
 
-    return load_poses(source)[1]
-
-
-def _folder(path: Path) -> Path:
-    """Return a folder that is there, made now if need be."""
-    from layfigure.errors import FileError
-
-    if path.suffix:
-        raise FileError(f"{path}: a set is drawn into a folder or as .gif; name one")
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be made ({error.strerror or error})") from None
-    return path
-
-
-def _open(source: Path, choice: PluginChoice) -> Session:
-    from layfigure.session.log import load_log
-    from layfigure_frontends.headless import play_log
-    from layfigure_frontends.opening import open_session
-
-    if source.suffix == ".log":
-        return play_log(choice, load_log(source))
-    return open_session(choice, str(source), "headless")
+    made = produce(film, output, places.cache() / "films" if cached else None)
+    for note in (*film.warnings, *made.notes):
+        click.echo(f"layfigure: {note}", err=True)
+    click.echo(str(output))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure.errors import LayfigureError
-from layfigure.session.commands.interface import shown_commands
+from layfigure.session.commands.interface import openable, shown_commands
+from layfigure.session.moments import known_curves
 from layfigure.session.words import join_line, split_line
 
 if TYPE_CHECKING:
@@ -91,7 +91,9 @@ def _nameable(session: Session, usage: str) -> Iterable[str]:
     if "CANDIDATE" in usage:
         yield from map(str, range(1, len(session.offer().candidates) + 1))
     if "FILE" in usage:
-        yield from sorted(path.name for path in Path(session.options.folder).glob("*.pose"))
+        yield from (entry.command for entry in openable(session))
+    if "INTERPOLATION" in usage:
+        yield from known_curves(session.host)
 
 
 def _beginning(words: Iterable[str], start: str) -> list[str]:

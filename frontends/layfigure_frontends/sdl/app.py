@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,7 +15,7 @@ from layfigure.errors import LayfigureError
 from layfigure_frontends.sdl.window import Window, WindowOptions, opened
 
 if TYPE_CHECKING:
-    from layfigure.session.frame import Size
+    from layfigure.session.frame import Frame, Size
     from layfigure_frontends.door import Door
 
 __all__ = ["WindowOptions", "run"]
@@ -70,7 +71,9 @@ class _Loop:
         session.clipboard_in = _system_clipboard
         self._caught = caught
         self._translator = Translator()
+        session.playback.ticking = True
         self._painted: tuple[int, Size] | None = None
+        self._frame: Frame | None = None
         self._state = "sticks"
         self._warm_type = pygame.event.custom_type()
         self._warming = Warming(session.host, self._warmed)
@@ -81,7 +84,8 @@ class _Loop:
         self._show()
         self._warming.start()
         while self._session.running and not self._caught:
-            self._take(self._waiting.events(WAIT))
+            self._take(self._waiting.events(self._patience()))
+            self._session.playback.tick(time.monotonic())
             if self._session.running:
                 self._show()
                 self._serve()
@@ -92,6 +96,13 @@ class _Loop:
 
         self._warming.stop()
         fonts.forget()
+
+    def _patience(self) -> int:
+        """Return after how many milliseconds something is to be done at the latest."""
+        due = self._session.playback.due
+        if due is None:
+            return WAIT
+        return round(min(max((due - time.monotonic()) * 1000, 0), WAIT))
 
     def _take(self, events: list[pygame.Event]) -> None:
         from layfigure_frontends.sdl.translation import coalesced
@@ -124,7 +135,7 @@ class _Loop:
     def _show(self) -> None:
         """Paint and flip if anything may look different from what the window shows."""
         from layfigure.session.frame import Size
-        from layfigure_frontends.sdl.painter import paint
+        from layfigure_frontends.sdl.painter import Painting, paint
 
         width, height = self._window.surface.get_size()
         size = Size(width, height, self._window.scale)
@@ -132,12 +143,13 @@ class _Loop:
         if now == self._painted:
             return
         frame = self._session.frame(size)
-        paint(self._window.surface, frame, self._session.draw, self._translator.pointer)
+        before = self._frame if self._painted is not None else None
+        paint(self._window.surface, frame, Painting(self._session.draw, self._translator.pointer, before))
         self._window.set_title(frame.title)
         self._window.set_cursor(frame.cursor)
         self._window.set_typing(on=frame.text_input)
         self._window.flip(self._state)
-        self._painted = now
+        self._painted, self._frame = now, frame
 
     def _serve(self) -> None:
         """Do what the session asks of its window: put text on the clipboard, save what is shown."""

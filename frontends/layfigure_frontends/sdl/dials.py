@@ -41,10 +41,11 @@ def paint_circle(canvas: Canvas, circle: JointCircle) -> None:
         _caption(canvas, circle.rectangle, circle.text, "")
         return
     shapes.disc(canvas.surface, _whole(centre), round(radius), theme.raised)
-    steps = [circle.low + (circle.high - circle.low) * step / (2 * STEPS) for step in range(2 * STEPS + 1)]
+    span = min(circle.high - circle.low, 360.0)  # what may turn farther may stand anywhere
+    steps = [circle.low + span * step / (2 * STEPS) for step in range(2 * STEPS + 1)]
     rim = [_at(centre, radius, angle) for angle in steps]
-    if circle.high - circle.low > 0:
-        region = rim if circle.high - circle.low >= 360 else [centre, *rim]
+    if span > 0:
+        region = rim if span >= 360 else [centre, *rim]
         pygame.draw.polygon(canvas.surface, theme.accent_quiet, region)
         pygame.draw.aalines(canvas.surface, theme.mark("guide"), True, region)
     pygame.draw.aacircle(canvas.surface, theme.border, _whole(centre), round(radius), max(canvas.pixels(1), 1))

@@ -29,4 +29,5 @@ class Waiting:
                 self._last = now
             if events or now - begin >= timeout:
                 return events
-            pygame.time.wait(BRISK if now - self._last < AWAKE else CALM)
+            pause = BRISK if now - self._last < AWAKE else CALM
+            pygame.time.wait(min(pause, begin + timeout - now))

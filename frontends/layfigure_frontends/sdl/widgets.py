@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from layfigure.drawing.render_list import Rectangle
-from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, Widget
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, TimeLine, Widget
 from layfigure_frontends.sdl import shapes
 from layfigure_frontends.sdl.canvas import SMALL, STRONG, TEXT, TITLE, Canvas, Type
 from layfigure_frontends.sdl.dials import paint_ball, paint_circle
+from layfigure_frontends.sdl.time_line import paint_time_line
 from layfigure_frontends.theme import RGB, Theme
 
 RADIUS = 6
@@ -37,6 +38,8 @@ def _paint(canvas: Canvas, widget: Widget) -> None:
             paint_ball(canvas, widget)
         case JointCircle():
             paint_circle(canvas, widget)
+        case TimeLine():
+            paint_time_line(canvas, widget)
 
 
 def paint_label(canvas: Canvas, label: Label) -> None:

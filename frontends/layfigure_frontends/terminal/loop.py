@@ -34,6 +34,7 @@ class Loop:
         """
         self._terminal = terminal
         self._session = session
+        session.playback.ticking = True
         self._parser = Parser()
         self._abilities = Abilities(cell_pixels=terminal.cell_pixels())
         self._screen = Screen(terminal, session, choose_depth(os.environ, options.colour), options)
@@ -52,6 +53,7 @@ class Loop:
             if arrival.ended:
                 return arrival.ended
             self._take(arrival)
+            self._session.playback.tick(time.monotonic())
             if self._session.running:
                 self._show()
         return ""
@@ -63,7 +65,12 @@ class Loop:
     def _patience(self) -> float | None:
         """Return how long nothing needs to be done; None: until something comes."""
         now = time.monotonic()
-        waits = [self._parser.seconds_left(now), self._screen.seconds_left(now, pending=self._move is not None)]
+        due = self._session.playback.due
+        waits = [
+            self._parser.seconds_left(now),
+            self._screen.seconds_left(now, pending=self._move is not None),
+            None if due is None else max(due - now, 0.0),
+        ]
         known = [seconds for seconds in waits if seconds is not None]
         return min(known) if known else None
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from layfigure.drawing.render_list import Rectangle
-from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, Widget
+from layfigure.session.frame import Button, ChoiceBar, JointBall, JointCircle, Label, SliderBar, TimeLine, Widget
 from layfigure_frontends.terminal.paper import ROW, Paper, Tone
+from layfigure_frontends.terminal.time_line import paint_time_line
 
 SPACED = 2  # cells between a text and the key beside it
 
@@ -22,6 +23,8 @@ def paint_widget(paper: Paper, widget: Widget, chosen: int) -> None:
             _paint_choice(paper, widget)
         case JointBall() | JointCircle():
             _paint_dial(paper, widget)
+        case TimeLine():
+            paint_time_line(paper, widget)
 
 
 def _paint_label(paper: Paper, label: Label, chosen: int) -> None:

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.errors import ImpossibleError
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure, limits_from
-from layfigure.kinematics.swing import canonical
+from layfigure.kinematics.joints import committed
 from layfigure.poses.locks import Lock, locked_joints
 from layfigure.poses.packing import pack_pose, unpack_pose
 from layfigure.poses.pose import Pose
@@ -28,7 +27,7 @@ from layfigure.techniques.contract import (
     Setting,
 )
 from layfigure.techniques.plain_data import limb_names, limbs_named, lock_lists, locks_listed, reading
-from layfigure_plugins.forward.snapping import snapped
+from layfigure_plugins.forward.snapping import snapped, snapped_about_axes
 
 VERSION = 1
 Floats = NDArray[np.float64]
@@ -124,9 +123,10 @@ class Forward:
         if not np.isfinite(wanted).all():
             raise ImpossibleError("a joint's angles must be finite numbers")
         has = self.figure.arrays.has_dof[limb] if limb else np.ones(3, dtype=np.bool_)
-        wanted = canonical(np.where(has, wanted, 0.0)[None])[0]
+        turns = self.figure.arrays.euler[limb : limb + 1]
+        wanted = committed(np.where(has, wanted, 0.0)[None], turns)[0]
         if state.snap:
-            wanted = snapped(wanted, has)
+            wanted = snapped_about_axes(wanted) if turns[0] else snapped(wanted, has)
         kept = self._within_limits(state, limb, wanted)
         return replace(state, pose=state.pose.with_joint(limb, *kept), note=self._note(limb, wanted, kept))
 
@@ -153,4 +153,4 @@ class Forward:
         if not held.size:
             return ""
         column = int(held[0])
-        return f"the {DOF_KINDS[column]} of the {self.figure.names[limb]} ends at {kept[column]:g}°"
+        return f"the {self.figure.limbs[limb].kinds[column]} of the {self.figure.names[limb]} ends at {kept[column]:g}°"

@@ -26,6 +26,12 @@ def snapped(angles: Floats, has: NDArray[np.bool_]) -> Floats:
     return answer
 
 
+def snapped_about_axes(angles: Floats) -> Floats:
+    """Return x, y, z (3,) in degrees at the nearest points of the finest level, in the turns they are in."""
+    turns = 360.0 * np.round(angles / 360.0)
+    return np.asarray(_on_circle(angles - turns) + turns)
+
+
 def _on_circle(angles: Floats) -> Floats:
     circle = half_circle()
     return np.asarray(circle.angles[circle.nearest(angles)])

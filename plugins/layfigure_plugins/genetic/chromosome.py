@@ -71,11 +71,13 @@ def decoded(figure: Figure, base: Pose, chromosome: Chromosome, free: frozenset[
     low, high = _limits(figure)
     alleles = chromosome.in_order_of(figure.movable).alleles
     bred = np.clip(low + (high - low) * alleles / TOP, low, high)
-    bred[:, :2] = _in_domain(bred[:, :2], np.clip(0.0, low[:, :2], high[:, :2]))
+    swings = ~figure.arrays.euler[list(figure.movable)]  # the others may turn as their limits say
+    nearest = np.clip(0.0, low, high)[swings, :2]
+    bred[swings, :2] = _in_domain(bred[swings, :2], nearest)
     angles = base.angles.copy()
     rows = [row for row, limb in enumerate(figure.movable) if limb in free]
     angles[[figure.movable[row] for row in rows]] = bred[rows]
-    return Pose.of(angles, base.translation)
+    return base.with_angles(angles)
 
 
 def _limits(figure: Figure) -> tuple[Floats, Floats]:

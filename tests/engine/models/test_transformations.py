@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from layfigure.errors import LayfigureError
 from layfigure.figures.library import load_figure
 from layfigure.models import Link, Model, box, joint, model
+from layfigure.poses.symmetry import mirror_map
 
 FACTORS = st.fractions(min_value=-4, max_value=4, max_denominator=50).filter(bool)
 STEPS = st.integers(-1000, 1000)
@@ -91,6 +92,14 @@ def test_a_negative_scale_is_the_mirror_image_for_equal_angles(space, arm, turns
     angles = space.angles(arm, {"1": turns[:3], "wrist": turns[3:]})
     seen = space.links(arm, angles)
     assert np.allclose(space.links(arm.scale(-1), angles), MIRROR @ seen @ MIRROR, atol=1e-9)
+
+
+def test_an_arm_and_its_mirror_image_are_twins_when_a_pose_is_flipped(arm):
+    torso = Link("torso", box(4, 6, 2))
+    right = model(joint(11, torso, (-2, 3, 0), arm, (0, 2, 0), x=(-90, 90), y=(-20, 20)))
+    both = model(joint(12, right, (2, 3, 0), arm.trans_joints(2).scale(-1), (0, 2, 0), x=(-90, 90), y=(-20, 20)))
+    images, _ = mirror_map(both.figure)
+    assert images.tolist() == [0, 4, 5, 6, 1, 2, 3]
 
 
 def test_a_mirrored_link_is_mirrored_itself():

@@ -154,6 +154,22 @@ def test_a_sheet_shows_the_sides_in_its_right_third(host):
         np.testing.assert_array_equal(part, drawer(host, (100, 100)).draw(ScenePicture((box(),), camera)))
 
 
+def test_what_was_drawn_before_leaves_no_trace(host):
+    still, mover, other = box(-5), box(4), box(4, 2)
+    pictures = [
+        ScenePicture((still, mover), FRONT),
+        ScenePicture((still, other), FRONT),
+        ScenePicture((still,), FRONT),
+        ScenePicture((other, still), FRONT, -3.0),
+        ScenePicture((still, mover), SceneCamera((1, 2, 3), 15.0)),
+        ScenePicture((Actor.of(HUMANOID), still, mover), SceneCamera((1, 2, 3), 15.0), sides=(FRONT,)),
+        ScenePicture((still, mover), FRONT),
+    ]
+    one = drawer(host, look=RECOMMENDED)
+    for picture in [*pictures, *reversed(pictures)]:
+        np.testing.assert_array_equal(one.draw(picture), drawer(host, look=RECOMMENDED).draw(picture))
+
+
 def test_a_drawer_draws_into_memory_it_is_given(host):
     memory = np.zeros((150, 200), dtype=np.uint32)
     picture = ScenePicture((box(),), FRONT)

@@ -21,10 +21,11 @@ def situations() -> list[Situation]:
     """Return every state of the interface under every technique, with its channels, and under none."""
     techniques = [("", frozenset()), *((record.id, record.channels) for record in HOST.techniques.values())]
     return [
-        Situation(state, technique, frontend, channels)
+        Situation(state, technique, frontend, channels | motion)
         for state in STATES
         for frontend in FRONTENDS
         for technique, channels in techniques
+        for motion in (frozenset(), frozenset({"motion"}))
     ]
 
 
@@ -94,7 +95,7 @@ def test_blender_people_find_their_keys():
 
 def test_maya_people_find_their_keys():
     bound = meanings("maya", Situation("pose", "", "sdl"))
-    wanted = {"w": "use ik", "e": "use fk", "f": "frame", "up": "parent-limb", "z": "undo", "s": "save"}
+    wanted = {"w": "use ik", "e": "use fk", "f": "frame", "up": "parent-limb", "z": "undo", "s": "key"}
     assert {key: bound.get(key) for key in wanted} == wanted
 
 

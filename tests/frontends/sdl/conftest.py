@@ -94,6 +94,7 @@ class FakeSession:
 
     def __init__(self) -> None:
         self.running = True
+        self.ticks: list[float] = []
         self.revision = 0
         self.clipboard_out = None
         self.screenshot_request = None
@@ -103,6 +104,8 @@ class FakeSession:
         self.ran: list[str] = []
         self.said: list[str] = []
         self.frames = 0
+        self.pages: list[bool] = []
+        self.playback = SimpleNamespace(ticking=False, due=None, tick=self.ticks.append)
         self.ready = False
         self.on_event = lambda event: None
 
@@ -115,7 +118,8 @@ class FakeSession:
         self.frames += 1
         return replace(rich_frame(size), **self.changes)
 
-    def draw(self, frame: Frame, target) -> None:
+    def draw(self, frame: Frame, target, *, page: bool = True) -> None:
+        self.pages.append(page)
         for pane in frame.panes:
             x, y, width, height = pane.rectangle
             target.pixels[y : y + height, x : x + width] = 0x23272E

@@ -26,7 +26,7 @@ from layfigure_frontends.sdl.canvas import Canvas
 from layfigure_frontends.sdl.fonts import Face, fitted, text_width, wrapped
 from layfigure_frontends.sdl.help_page import HelpLine, columns, help_lines
 from layfigure_frontends.sdl.outlines import paint_outline
-from layfigure_frontends.sdl.painter import paint
+from layfigure_frontends.sdl.painter import Painting, paint
 from layfigure_frontends.sdl.signs import paint_signs
 from layfigure_frontends.sdl.widgets import paint_widget
 from layfigure_frontends.theme import Theme, load_theme
@@ -144,7 +144,7 @@ def test_an_empty_rubber_band_does_no_harm():
 @pytest.mark.parametrize("theme", ["dark", "light", "high-contrast"])
 def test_whole_frames_paint_at_every_size_and_in_every_theme(session, frame_of, size, theme):
     surface = pygame.Surface((size.width, size.height), 0, 32)
-    paint(surface, frame_of(size, theme=theme), session.draw, (400, 300))
+    paint(surface, frame_of(size, theme=theme), Painting(session.draw, (400, 300)))
     assert len(np.unique(pixels(surface))) > 20
 
 
@@ -152,7 +152,7 @@ def test_the_views_are_drawn_straight_into_the_surface(session, frame_of):
     size = Size(1280, 800)
     surface = pygame.Surface((1280, 800), 0, 32)
     frame = frame_of(size, widgets=(), outlines=())
-    paint(surface, frame, session.draw)
+    paint(surface, frame, Painting(session.draw))
     box = frame.panes[0].rectangle
     assert surface.get_at((box.x + box.width // 2, box.y + box.height // 2))[:3] == (0x23, 0x27, 0x2E)
     assert not surface.get_locked()
@@ -163,7 +163,7 @@ def test_a_surface_with_its_colours_in_another_order_shows_the_same(session, fra
     usual = pygame.Surface((640, 400), 0, 32)
     other = pygame.Surface((640, 400), 0, 32, (0xFF, 0xFF00, 0xFF0000, 0))
     for surface in (usual, other):
-        paint(surface, frame_of(size), session.draw)
+        paint(surface, frame_of(size), Painting(session.draw))
     assert pygame.image.tobytes(usual, "RGB") == pygame.image.tobytes(other, "RGB")
 
 
@@ -171,7 +171,7 @@ def test_lines_of_plugins_are_drawn(session, frame_of):
     size = Size(640, 400)
     surface = pygame.Surface((640, 400), 0, 32)
     lines = (WorldLine(50, 50, 350, 50, Rectangle(0, 0, 300, 300), (255, 0, 0)),)
-    paint(surface, frame_of(size, widgets=(), panes=(), outlines=(), lines=lines), session.draw)
+    paint(surface, frame_of(size, widgets=(), panes=(), outlines=(), lines=lines), Painting(session.draw))
     assert surface.get_at((150, 50))[0] > 200
     assert surface.get_at((330, 50)) == surface.get_at((330, 150)), "a line ends where its view ends"
 
@@ -203,7 +203,7 @@ def test_a_long_status_is_cut_and_the_hints_that_do_not_fit_are_left_out(session
     size = Size(640, 400)
     surface = pygame.Surface((640, 400), 0, 32)
     hints = tuple((f"F{number}", "does something") for number in range(1, 13))
-    paint(surface, frame_of(size, status=LONG * 4, hints=hints), session.draw)
+    paint(surface, frame_of(size, status=LONG * 4, hints=hints), Painting(session.draw))
     panel = surface.map_rgb(load_theme("dark").panel)
     assert (pixels(surface)[372:398, 636:] == panel).all()
 
@@ -214,7 +214,7 @@ def test_palette_rows_are_visible_and_the_chosen_one_stands_out(session, frame_o
     rows = tuple((f"command-{number}", f"Command {number}", "Ctrl-Z") for number in range(15))
     surface = pygame.Surface((size.width, size.height), 0, 32)
     overlay = PaletteOverlay(":", "com", rows, chosen)
-    paint(surface, frame_of(size, overlay=overlay), session.draw)
+    paint(surface, frame_of(size, overlay=overlay), Painting(session.draw))
     place = dialogs.palette(size, len(rows), chosen)
     quiet = surface.map_rgb(load_theme("dark").accent_quiet)
     shown = pixels(surface)
@@ -227,7 +227,7 @@ def test_palette_rows_are_visible_and_the_chosen_one_stands_out(session, frame_o
 
 def test_an_empty_palette_says_that_nothing_matches(session, frame_of):
     surface = pygame.Surface((1280, 800), 0, 32)
-    paint(surface, frame_of(Size(1280, 800), overlay=PaletteOverlay(":", LONG * 5, (), 0)), session.draw)
+    paint(surface, frame_of(Size(1280, 800), overlay=PaletteOverlay(":", LONG * 5, (), 0)), Painting(session.draw))
     box = dialogs.palette(Size(1280, 800), 0, 0).box
     assert len(np.unique(pixels(surface)[box.y + 60 : box.y + box.height - 4, box.x + 8 : box.x + 300])) > 10
 
@@ -236,7 +236,7 @@ def test_question_answers_are_painted_where_clicks_are_heard(session, frame_of):
     size = Size(1280, 800)
     surface = pygame.Surface((1280, 800), 0, 32)
     overlay = QuestionOverlay(LONG * 6, (("Restore", "Y", "restore"), ("Later", "N", "cancel")))
-    paint(surface, frame_of(size, overlay=overlay), session.draw)
+    paint(surface, frame_of(size, overlay=overlay), Painting(session.draw))
     first, second = dialogs.question(size, 2).answers
     theme = load_theme("dark")
     assert surface.get_at((first.x + 8, first.y + 8))[:3] == theme.accent
@@ -250,7 +250,7 @@ SECTIONS = tuple((f"Section {n}", tuple((f"Ctrl-{k}", f"Does {n}{k}") for k in "
 @pytest.mark.parametrize("scroll", [0, 10, 1000])
 def test_the_help_page_keeps_inside_the_window_above_the_status_bar(session, frame_of, size, scroll):
     surface = pygame.Surface((size.width, size.height), 0, 32)
-    paint(surface, frame_of(size, overlay=HelpOverlay("Keys", SECTIONS, scroll)), session.draw)
+    paint(surface, frame_of(size, overlay=HelpOverlay("Keys", SECTIONS, scroll)), Painting(session.draw))
     assert (pixels(surface) == surface.map_rgb(load_theme("dark").accent)).any()
 
 
@@ -271,7 +271,7 @@ def test_more_is_promised_exactly_where_lines_are_hidden(session, frame_of, monk
     monkeypatch.setattr(help_page, "_paint_column", lambda canvas, part, box, caps: shown.extend(part))
     monkeypatch.setattr(help_page, "_paint_more", lambda canvas, box: promised.append(True))
     overlay = HelpOverlay("Keys", SECTIONS)
-    paint(pygame.Surface((1280, height), 0, 32), frame_of(Size(1280, height), overlay=overlay), session.draw)
+    paint(pygame.Surface((1280, height), 0, 32), frame_of(Size(1280, height), overlay=overlay), Painting(session.draw))
     hidden = {line.text for line in help_lines(overlay)} - {line.text for line in shown} - {""}
     assert bool(promised) == bool(hidden)
 
@@ -280,7 +280,7 @@ def test_more_is_promised_exactly_where_lines_are_hidden(session, frame_of, monk
 def test_amounts_are_written_and_not_drawn_as_keys(session, frame_of, keys):
     surface = pygame.Surface((1280, 800), 0, 32)
     overlay = HelpOverlay("Compared", SECTIONS, keys=keys)
-    paint(surface, frame_of(Size(1280, 800), overlay=overlay), session.draw)
+    paint(surface, frame_of(Size(1280, 800), overlay=overlay), Painting(session.draw))
     cap = surface.map_rgb(load_theme("dark").key)
     assert bool((pixels(surface)[200:1080, 60:700] == cap).any()) == keys
 

@@ -12,6 +12,8 @@ from layfigure.session.commands import (
     interface,
     limbs,
     locks,
+    motions,
+    playing,
     pose,
     resting,
     saying,
@@ -35,6 +37,8 @@ BUILT_IN: dict[str, Command] = {
         locks,
         view,
         files,
+        playing,
+        motions,
         interface,
         saying,
     )

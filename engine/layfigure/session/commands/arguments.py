@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from layfigure.drawing.render_list import Rectangle
 from layfigure.errors import FileError, ImpossibleError, LayfigureError
+from layfigure.figures.figure import axis_of
+from layfigure.figures.spoken import spoken_limb
 from layfigure.poses.packing import unpack_pose
 from layfigure.poses.pose import Pose
 from layfigure.session.words import WordError, no_more, number, one_of, required, whole_number
@@ -43,6 +45,19 @@ def one_limb(session: Session, words: tuple[str, ...], index: int) -> int:
     if required(words, index, "a limb's name") == "all":
         raise WordError(index + 1, "one limb is wanted here, not all of them")
     return limbs(session, words[: index + 1], index)[0]
+
+
+def column_of(session: Session, limb: int, kind: str) -> int:
+    """Return which of a joint's three angles a degree of freedom is.
+
+    Raises:
+        ImpossibleError: the joint has no such angle.
+    """
+    figure = session.document.figure
+    column = axis_of(figure.limbs[limb], kind)
+    if column is None:
+        raise ImpossibleError(f"the {spoken_limb(figure, limb)} has no {kind}")
+    return column
 
 
 def selected(session: Session) -> tuple[int, ...]:

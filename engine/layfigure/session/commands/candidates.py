@@ -153,14 +153,24 @@ def _look_at(session: Session, number_: int, chosen: tuple[int, ...]) -> None:
 
 
 COMMANDS = (
-    Command("pick", "Copy limbs from a candidate", _pick, "CANDIDATE LIMB…", logged=True),
-    Command("vary", "Copy limbs and let them vary a little", _vary, "CANDIDATE swing|twist LIMB…", logged=True),
-    Command("best", "Take a whole candidate", _best, "CANDIDATE", logged=True),
-    Command("grade", "Grade a candidate, or the chosen one and go on", _grade, "[CANDIDATE] 0…10", logged=True),
-    Command("choose", "Choose a candidate", _choose, "CANDIDATE|next|previous"),
-    Command("copy", "Copy the selected limbs from the chosen candidate", _copy, "[swing|twist]"),
-    Command("copy-all", "Take the chosen candidate as a whole", _copy_all),
-    Command("pick-in", "Copy the limbs inside a rectangle", _pick_in, "plain|swing|twist CANDIDATE VIEW X Y W H"),
+    Command("pick", "Copy limbs from a candidate", _pick, "CANDIDATE LIMB…", logged=True, chooses=True),
+    Command(
+        "vary", "Copy limbs and let them vary a little", _vary, "CANDIDATE swing|twist LIMB…", logged=True, chooses=True
+    ),
+    Command("best", "Take a whole candidate", _best, "CANDIDATE", logged=True, chooses=True),
+    Command(
+        "grade", "Grade a candidate, or the chosen one and go on", _grade, "[CANDIDATE] 0…10", logged=True, chooses=True
+    ),
+    Command("choose", "Choose a candidate", _choose, "CANDIDATE|next|previous", passive=True),
+    Command("copy", "Copy the selected limbs from the chosen candidate", _copy, "[swing|twist]", chooses=True),
+    Command("copy-all", "Take the chosen candidate as a whole", _copy_all, chooses=True),
+    Command(
+        "pick-in",
+        "Copy the limbs inside a rectangle",
+        _pick_in,
+        "plain|swing|twist CANDIDATE VIEW X Y W H",
+        chooses=True,
+    ),
     Command("use", "Switch to a technique", _use, "TECHNIQUE", logged=True),
     Command("address", "Show and copy the address of this page", _address),
 )

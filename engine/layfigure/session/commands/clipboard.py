@@ -80,8 +80,8 @@ def _onto_selected(session: Session, copied: Joints) -> Joints:
     if len(copied.limbs) > 1 or not chosen or copied.limbs == (0,):
         return copied
     (source,) = copied.limbs
-    has = figure.arrays.has_dof
-    if 0 in chosen or any((has[limb] != has[source]).any() for limb in chosen):
+    kinds = [{dof.kind for dof in limb.dofs} for limb in figure.limbs]
+    if 0 in chosen or any(kinds[limb] != kinds[source] for limb in chosen):
         return copied
     pose = Pose.rest(figure)
     for limb in chosen:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,21 +17,31 @@ from layfigure.poses.pose_file import load_pose, save_pose
 from layfigure.poses.pose_set import MAXIMUM_POSES, load_poses, save_poses
 from layfigure.session.commands.arguments import named_file
 from layfigure.session.commands.pose import pose_line
-from layfigure.session.figures import reference_to
+from layfigure.session.document import Document
+from layfigure.session.figures import figure_beside, reference_to
+from layfigure.session.moments import known_curves, motion_of
+from layfigure.session.motion_files import SUFFIX as MOTION
+from layfigure.session.motion_files import is_shipped, shipped_motion
 from layfigure.session.picture_file import save_sheet
 from layfigure.session.words import join_line, no_more, number, required, whole_number
 
 if TYPE_CHECKING:
+    from layfigure.motions.motion import Motion
     from layfigure.session.session import Session
 
 VARIANTS = 8
 BREATH = 4.0
 """How many variants bring a still character to life, and at which intensity, unless one says otherwise."""
+STEP = 12
+"""Frames from one pose to the next where poses become keys."""
 
 
 def _save(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 1)
     path = _save_path(session, words[0] if words else "")
+    if path.suffix == MOTION or (not path.suffix and session.document.motion is not None):
+        _save_motion(session, path.with_suffix(MOTION))
+        return
     figure, pose = session.document.figure, session.document.pose
     if path.suffix not in (".pose", ""):
         if session.host.first("layfigure_write", document=Exchange(figure, (pose,)), path=path) is None:
@@ -44,13 +56,27 @@ def _save(session: Session, words: tuple[str, ...]) -> None:
     session.say(f"Saved {_shown(path)} and its picture {picture.name}.")
 
 
+def _save_motion(session: Session, path: Path) -> None:
+    from layfigure.motions.motion_file import save_motion
+
+    document = session.document
+    save_motion(path, motion_of(document), document.figure, document.rate)
+    session.saved_as = path
+    session.say(f"Saved {_shown(path)}.")
+
+
 def _breathe(session: Session, words: tuple[str, ...]) -> None:
     name = required(words, 0, "a file's name")
     count = whole_number(words, 1, "a number of variants", (1, MAXIMUM_POSES - 1)) if len(words) > 1 else VARIANTS
     intensity = number(words, 2, "an intensity from 0 to 100") if len(words) > 2 else BREATH
     no_more(words, 3)
-    path = named_file(session, name).with_suffix(".poses")
+    path = named_file(session, name)
     poses = breathing(session, count, intensity)
+    if path.suffix == MOTION:
+        save_breath(path, session.document, poses)
+        session.say(f"Saved {_shown(path)}: a loop through the pose and {len(poses) - 1} variants.")
+        return
+    path = path.with_suffix(".poses")
     save_poses(path, session.document.figure, poses)
     session.say(f"Saved {_shown(path)}: the pose and {len(poses) - 1} variants.")
 
@@ -69,16 +95,40 @@ def breathing(session: Session, count: int, intensity: float) -> tuple[Pose, ...
     return (session.document.pose, *found)
 
 
+def save_breath(path: Path, document: Document, poses: Sequence[Pose]) -> None:
+    """Write a motion file that loops through poses of a document's figure.
+
+    Raises:
+        FileError: the file cannot be written.
+    """
+    from layfigure.motions.motion_file import save_motion
+
+    save_motion(path, looped_motion(document, poses), document.figure, document.rate)
+
+
+def looped_motion(document: Document, poses: Sequence[Pose], step: int = STEP) -> Motion:
+    """Return the motion that goes through poses of a document's figure, ``step`` frames each, and to the first again.
+
+    Raises:
+        LayfigureError: the motion would grow too large.
+    """
+    from layfigure.motions.building import from_poses
+
+    return from_poses(document.figure, [(step * index, pose) for index, pose in enumerate(poses)], loop=True)
+
+
 def _save_path(session: Session, name: str) -> Path:
+    """Return where to save: as a person says, or where it was saved last; a motion beside the pose it came from."""
     if name:
         return named_file(session, name)
+    suffix = ".pose" if session.document.motion is None else MOTION
     if session.saved_as is not None:
-        return session.saved_as
-    return free_path(session.options.folder, session.document.figure.name)
+        return session.saved_as.with_suffix(suffix)
+    return free_path(session.options.folder, session.document.figure.name).with_suffix(suffix)
 
 
 def free_path(folder: Path, figure: str) -> Path:
-    """Return the first of ``figure-1.pose``, ``figure-2.pose``, … that takes no existing pose or picture's place.
+    """Return the first of ``figure-1.pose``, ``figure-2.pose``, … that takes no pose's, picture's or motion's place.
 
     Raises:
         ImpossibleError: thousands of names are taken.
@@ -86,16 +136,21 @@ def free_path(folder: Path, figure: str) -> Path:
     stem = "".join(character if character.isalnum() or character in "-_" else "-" for character in figure)
     for count in range(1, 10_000):
         path = folder / f"{stem}-{count}.pose"
-        if not path.exists() and not path.with_suffix(".png").exists():
+        if not any(path.with_suffix(suffix).exists() for suffix in (".pose", ".png", MOTION)):
             return path
     raise ImpossibleError("thousands of poses are here already; save under a name of your own")
 
 
 def _open(session: Session, words: tuple[str, ...]) -> None:
-    path = named_file(session, required(words, 0, "a file's name"))
+    name = required(words, 0, "a file's name")
+    path = named_file(session, name)
     no_more(words, 1)
     if path.suffix == ".fig":
         session.execute(join_line("figure", [str(path)]))
+        return
+    motion = _motion_path(path, name)
+    if motion is not None:
+        _open_motion(session, motion)
         return
     figure, pose = figure_and_pose(session.host, path)
     if reference_to(figure) != reference_to(session.document.figure):
@@ -103,6 +158,32 @@ def _open(session: Session, words: tuple[str, ...]) -> None:
     session.execute(pose_line(session, pose))
     session.saved_as = path if path.suffix == ".pose" else None
     session.say(f"Opened {_shown(path)}.")
+
+
+def _motion_path(path: Path, name: str) -> Path | None:
+    """Return the motion file that a name means: in the folder, else one that is shipped; None: it means no motion."""
+    own = path.with_suffix(MOTION)
+    if path.suffix not in ("", MOTION):
+        return None
+    if os.path.exists(own):  # noqa: PTH110 - a name that no file can have is no error here
+        return own
+    return shipped_motion(name) or (own if path.suffix else None)
+
+
+def _open_motion(session: Session, path: Path) -> None:
+    """Open a motion; its figure comes with it."""
+    from layfigure.motions.motion_file import load_motion
+    from layfigure.session.motion_packing import motion_lines
+
+    found = load_motion(path, known_curves(session.host))
+    if found.figure is not None:
+        figure = figure_beside(session.host, found.figure, path.parent)
+        if reference_to(figure) != reference_to(session.document.figure):
+            session.execute(join_line("figure", [reference_to(figure)]))
+    for line in motion_lines(found.motion, found.rate):
+        session.execute(line)
+    session.saved_as = None if is_shipped(path) else path
+    session.say(f"Opened {path.stem if is_shipped(path) else _shown(path)}: {session.status}")
 
 
 def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
@@ -155,9 +236,9 @@ def _shown(path: Path) -> str:
 
 
 COMMANDS = (
-    Command("save", "Save the pose and its picture", _save, "[NAME]"),
+    Command("save", "Save the motion, or the pose and its picture", _save, "[NAME]"),
     Command("breathe", "Save small variants of the pose as a set", _breathe, "NAME [VARIANTS [INTENSITY]]"),
-    Command("open", "Open a pose or a figure", _open, "FILE"),
+    Command("open", "Open a pose, a motion or a figure", _open, "FILE"),
     Command("picture", "Save a picture of the pose", _picture, "NAME"),
     Command("save-log", "Save the session as a log that can be replayed", _save_log, "NAME"),
     Command("screenshot", "Save a picture of the window", _screenshot, "[NAME]"),

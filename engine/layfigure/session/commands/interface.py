@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError, LayfigureError
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.library import figure_names
 from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
+from layfigure.motions.numbers import written
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
 from layfigure.poses.locks import tips_of
 from layfigure.session.commands.arguments import named_file, selected
+from layfigure.session.commands.playing import SPEEDS
 from layfigure.session.commands.slots import ask_recall, ask_store
 from layfigure.session.describing import allowed_angles, spoken_limb
 from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
+from layfigure.session.moments import key_frames, known_curves
+from layfigure.session.motion_files import SUFFIX, shipped_motions
 from layfigure.session.words import join_line, no_more, one_of, required, whole_number
 
 if TYPE_CHECKING:
@@ -27,11 +32,19 @@ if TYPE_CHECKING:
 _HIDDEN = {
     *("accept", "complete", "row", "erase", "scroll", "ask", "palette"),
     *("pick-in", "enable-in", "select-in", "camera", "follow", "dragged", "joints"),
+    *("motion", "motion-part"),
 }
+
+MOST_CHOICES = 400
+QUESTIONS = (
+    *("select", "open", "save", "use", "hold", "set", "goal", "store", "recall"),
+    *("frame-at", "speed", "interpolation"),
+)
 
 _HINTS = {
     "save": "A name; it becomes NAME.pose and NAME.png in this folder.",
-    "open": "No such pose in this folder; any path will do.",
+    "open": "No such pose or motion in this folder; any path will do.",
+    "frame-at": "The number of a frame.",
 }
 
 
@@ -64,7 +77,7 @@ def _palette(session: Session, words: tuple[str, ...]) -> None:
 
 
 def _ask(session: Session, words: tuple[str, ...]) -> None:
-    name = one_of(words, 0, "question", ("select", "open", "save", "use", "hold", "set", "goal", "store", "recall"))
+    name = one_of(words, 0, "question", QUESTIONS)
     no_more(words, 1)
     if name in ("set", "goal"):
         session.modes.append(_numbers(session, name))
@@ -80,8 +93,9 @@ def _numbers(session: Session, name: str) -> PaletteMode:
     """Return a prompt for the numbers of the selected limb, with the present ones typed already."""
     figure, pose, limb = session.document.figure, session.document.pose, selected(session)[-1]
     if name == "set":
-        kinds = [kind for kind in DOF_KINDS if figure.limbs[limb].turns(kind)]
-        values = [pose.angles[limb][DOF_KINDS.index(kind)] for kind in kinds]
+        joint = figure.limbs[limb]
+        kinds = [kind for kind in joint.kinds if joint.turns(kind)]
+        values = [pose.angles[limb][joint.kinds.index(kind)] for kind in kinds]
         prompt = f"{' '.join(kinds).capitalize()} of the {spoken_limb(figure, limb)}:"
         hint = allowed_angles(figure.limbs[limb])
     else:
@@ -95,23 +109,39 @@ def _numbers(session: Session, name: str) -> PaletteMode:
 
 def _choices(session: Session, name: str) -> tuple[tuple[Entry, ...], str]:
     figure = session.document.figure
-    if name == "select":
-        return tuple(Entry(figure.names[limb], "") for limb in figure.selectable), "Select limb:"
-    if name == "save":
-        return (), "Save as:"
-    if name == "use":
-        return tuple(Entry(key, record.title) for key, record in session.host.techniques.items()), "Technique:"
-    if name == "hold":
-        return tuple(Entry(figure.names[limb], "") for limb in figure.selectable), "Keep the offset from:"
-    found = sorted(session.options.folder.glob("*.pose"))[:200]
-    poses = tuple(Entry(path.name, "a pose in this folder") for path in found)
-    return poses, "Open:"
+    limbs = (Entry(figure.names[limb], "") for limb in figure.selectable)
+    choices: dict[str, tuple[Callable[[], Iterable[Entry]], str]] = {
+        "select": (lambda: limbs, "Select limb:"),
+        "save": (lambda: (), "Save as:"),
+        "use": (lambda: (Entry(key, record.title) for key, record in session.host.techniques.items()), "Technique:"),
+        "hold": (lambda: limbs, "Keep the offset from:"),
+        "frame-at": (lambda: (Entry(written(frame), "a key") for frame in key_frames(session.document)), "Frame:"),
+        "speed": (lambda: (Entry(f"{speed:g}", "times as fast") for speed in SPEEDS), "Speed:"),
+        "interpolation": (
+            lambda: (Entry(key, record.title) for key, record in known_curves(session.host).items()),
+            "Led to:",
+        ),
+        "open": (lambda: openable(session), "Open:"),
+    }
+    entries, prompt = choices[name]
+    return tuple(islice(entries(), MOST_CHOICES)), prompt
+
+
+def openable(session: Session) -> Iterator[Entry]:
+    """Yield what can be opened by name: poses and motions in the session's folder, and the motions that are shipped."""
+    folder = session.options.folder
+    for suffix, what in ((".pose", "a pose in this folder"), (SUFFIX, "a motion in this folder")):
+        yield from (Entry(path.name, what) for path in sorted(folder.glob(f"*{suffix}"))[:200])
+    yield from (Entry(name, "a motion that comes with Layfigure") for name in shipped_motions())
 
 
 def _cancel(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     if len(session.modes) > 1:
         session.modes.pop()
+    elif session.view.passing is not None:
+        session.playback.give_up()
+        session.say(f"Back at frame {written(session.document.playhead)}, where play began.")
     else:
         session.view = replace(session.view, selected=())
 
@@ -174,16 +204,16 @@ def _plugin(session: Session, words: tuple[str, ...]) -> None:
 
 
 COMMANDS = (
-    Command("help", "Show the keys, or say what a command does", _help, "[COMMAND]"),
-    Command("palette", "Type a command", _palette),
+    Command("help", "Show the keys, or say what a command does", _help, "[COMMAND]", passive=True),
+    Command("palette", "Type a command", _palette, passive=True),
     Command("figures", "Choose another figure", _figures),
-    Command("ask", "Ask for a word and run a command with it", _ask, "select|open|save|use|hold|set|goal|store|recall"),
-    Command("cancel", "Let go", _cancel),
-    Command("accept", "Do what is typed", _accept),
-    Command("complete", "Complete the word", _complete),
-    Command("row", "Choose another row", _row, "ROWS"),
-    Command("erase", "Erase a character", _erase),
-    Command("scroll", "Scroll the help", _scroll, "LINES"),
+    Command("ask", "Ask for a word and run a command with it", _ask, "|".join(QUESTIONS)),
+    Command("cancel", "Let go", _cancel, passive=True),
+    Command("accept", "Do what is typed", _accept, passive=True),
+    Command("complete", "Complete the word", _complete, passive=True),
+    Command("row", "Choose another row", _row, "ROWS", passive=True),
+    Command("erase", "Erase a character", _erase, passive=True),
+    Command("scroll", "Scroll the help", _scroll, "LINES", passive=True),
     Command("plugin", "Load a plug-in file, or load it again", _plugin, "FILE"),
-    Command("quit", "Quit", _quit),
+    Command("quit", "Quit", _quit, passive=True),
 )

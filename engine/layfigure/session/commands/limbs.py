@@ -141,13 +141,13 @@ def _show(session: Session, chosen: tuple[int, ...]) -> None:
 
 
 COMMANDS = (
-    Command("select", "Select limbs", _select, "LIMB…"),
-    Command("select-none", "Select nothing", _select_none),
-    Command("next-limb", "Select the next limb", _next),
-    Command("previous-limb", "Select the previous limb", _previous),
-    Command("parent-limb", "Select the limb above", _parent),
-    Command("child-limb", "Select the limb below", _child),
-    Command("opposite-limb", "Select the mirror twin", _opposite),
+    Command("select", "Select limbs", _select, "LIMB…", passive=True),
+    Command("select-none", "Select nothing", _select_none, passive=True),
+    Command("next-limb", "Select the next limb", _next, passive=True),
+    Command("previous-limb", "Select the previous limb", _previous, passive=True),
+    Command("parent-limb", "Select the limb above", _parent, passive=True),
+    Command("child-limb", "Select the limb below", _child, passive=True),
+    Command("opposite-limb", "Select the mirror twin", _opposite, passive=True),
     Command("with-selected", "Run a command for each selected limb, named last", _with_selected, "COMMAND [WORD…]"),
     Command("toggle", "Let the selected limbs change, or keep them", _toggle),
     Command("enable", "Let limbs change", _enable, "LIMB…|all", logged=True),
@@ -156,6 +156,6 @@ COMMANDS = (
     Command(
         "enable-in", "Enable or keep the limbs inside a rectangle", _enable_in, "on|off|only CANDIDATE VIEW X Y W H"
     ),
-    Command("select-in", "Select the limbs inside a rectangle", _select_in, "CANDIDATE VIEW X Y W H"),
-    Command("select-more", "Add limbs to the selection, or take them out", _select_more, "LIMB…"),
+    Command("select-in", "Select the limbs inside a rectangle", _select_in, "CANDIDATE VIEW X Y W H", passive=True),
+    Command("select-more", "Add limbs to the selection, or take them out", _select_more, "LIMB…", passive=True),
 )

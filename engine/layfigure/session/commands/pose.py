@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from layfigure.errors import ImpossibleError
-from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.definition import ALL_KINDS, MAXIMUM_TURN
 from layfigure.figures.figure import limits_from
 from layfigure.files.decimals import plain
 from layfigure.plugins.records import Command
@@ -14,7 +13,7 @@ from layfigure.poses.locks import mirrored
 from layfigure.poses.packing import pack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
-from layfigure.session.commands.arguments import one_limb, packed_pose, selected
+from layfigure.session.commands.arguments import column_of, one_limb, packed_pose, selected
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
@@ -40,15 +39,16 @@ def _set(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
 def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float, float, float]:
     """Return the angles in words: all three, or one for each degree of freedom that the joint has."""
     figure = session.document.figure
-    name, has = spoken_limb(figure, limb), [figure.limbs[limb].turns(kind) for kind in DOF_KINDS]
+    joint, name = figure.limbs[limb], spoken_limb(figure, limb)
+    has, most = [joint.turns(kind) for kind in joint.kinds], MAXIMUM_TURN if joint.euler else 180.0
     given = [index for index in range(3) if has[index]] if len(words) - 1 == sum(has) and any(has) else [0, 1, 2]
     angles = [0.0, 0.0, 0.0]
     for place, index in enumerate(given):
-        angles[index] = number(words, place + 1, f"the {DOF_KINDS[index]} of the {name} in degrees")
+        angles[index] = number(words, place + 1, f"the {joint.kinds[index]} of the {name} in degrees")
         if angles[index] and not has[index]:
-            raise WordError(place + 2, f"the {name} has no {DOF_KINDS[index]}; 0 is wanted here")
-        if abs(angles[index]) > 180:
-            raise WordError(place + 2, f"{words[place + 1]} is out of bounds: angles go from -180 to 180")
+            raise WordError(place + 2, f"the {name} has no {joint.kinds[index]}; 0 is wanted here")
+        if abs(angles[index]) > most:
+            raise WordError(place + 2, f"{words[place + 1]} is out of bounds: angles go from {-most:.0f} to {most:.0f}")
     no_more(words, len(given) + 1)
     return (angles[0], angles[1], angles[2])
 
@@ -56,24 +56,22 @@ def _angles(session: Session, limb: int, words: tuple[str, ...]) -> tuple[float,
 def _angle(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     """Set one angle of a joint as ``set`` does all three."""
     limb = one_limb(session, words, 0)
-    kind = one_of(words, 1, "degree of freedom", DOF_KINDS)
+    kind = one_of(words, 1, "degree of freedom", ALL_KINDS)
     number(words, 2, f"the {kind} in degrees")
     no_more(words, 3)
     angles = [plain(angle) for angle in session.document.pose.angles[limb].tolist()]
-    angles[DOF_KINDS.index(kind)] = words[2]
+    angles[column_of(session, limb, kind)] = words[2]
     _set(session, (words[0], *angles))
     return words
 
 
 def _nudge(session: Session, words: tuple[str, ...]) -> None:
-    kind = one_of(words, 0, "degree of freedom", DOF_KINDS)
+    kind = one_of(words, 0, "degree of freedom", ALL_KINDS)
     step = number(words, 1, "a number of degrees")
     no_more(words, 2)
     figure = session.document.figure
     limb = figure.limbs[selected(session)[-1]]
-    if not limb.turns(kind):
-        raise ImpossibleError(f"the {spoken_limb(figure, limb.index)} has no {kind}")
-    angles, column = session.document.pose.angles[limb.index].tolist(), DOF_KINDS.index(kind)
+    angles, column = session.document.pose.angles[limb.index].tolist(), column_of(session, limb.index, kind)
     low, high = limits_from(limb, angles)[column]
     angles[column] = min(max(angles[column] + step, low), high)
     session.execute(join_line("set", [limb.name, *map(plain, angles)]))
@@ -123,8 +121,8 @@ def pose_line(session: Session, pose: Pose) -> str:
 
 COMMANDS = (
     Command("set", "Set a joint's angles", _set, "LIMB FLEXION [PIVOT TWIST]", logged=True),
-    Command("angle", "Set one angle of a joint", _angle, "LIMB flexion|pivot|twist DEGREES", logged=True),
-    Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist DEGREES"),
+    Command("angle", "Set one angle of a joint", _angle, "LIMB flexion|pivot|twist|x|y|z DEGREES", logged=True),
+    Command("nudge", "Move the selected joint a little", _nudge, "flexion|pivot|twist|x|y|z DEGREES"),
     Command("flip", "Mirror the pose", _flip, logged=True),
     Command("pose", "Set the whole pose from its packed form", _pose, "PACKED", logged=True),
     Command("figure", "Begin with another figure", _figure, "NAME", logged=True),

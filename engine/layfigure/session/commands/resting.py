@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from layfigure.errors import ImpossibleError
-from layfigure.figures.definition import DOF_KINDS
+from layfigure.figures.definition import ALL_KINDS
+from layfigure.figures.figure import axis_of
 from layfigure.plugins.records import Command
-from layfigure.poses.freedom import existing_angles
 from layfigure.poses.pose import Pose
 from layfigure.session.commands.arguments import limbs, selected
 from layfigure.session.describing import listed_limbs
@@ -54,15 +54,16 @@ def _put_to_rest(session: Session, chosen: Sequence[int]) -> None:
 
 
 def _rest_dof(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
-    kind = one_of(words, 0, "degree of freedom", DOF_KINDS)
+    kind = one_of(words, 0, "degree of freedom", ALL_KINDS)
     figure, pose = session.document.figure, session.document.pose
-    column = DOF_KINDS.index(kind)
     named = limbs(session, words, 1) if len(words) > 1 else selected(session)
-    chosen = tuple(limb for limb in named if existing_angles(figure)[limb, column])
+    columns = {limb: axis_of(figure.limbs[limb], kind) for limb in named}
+    chosen = tuple(limb for limb, column in columns.items() if column is not None)
     if not chosen:
         raise ImpossibleError(f"the {listed_limbs(figure, named)} has no {kind}")
     angles = pose.angles.copy()
-    angles[list(chosen), column] = 0.0
+    for limb in chosen:
+        angles[limb, columns[limb]] = 0.0
     session.set_pose(f"{kind} to rest", PoseSet(pose.with_angles(angles), limbs=chosen))
     session.say(f"{kind.capitalize()} back to rest: {listed_limbs(figure, chosen)}.")
     return (kind, *(figure.names[limb] for limb in chosen))
@@ -73,6 +74,10 @@ COMMANDS = (
     Command("rest", "Put limbs back to rest", _rest, "LIMB…|all", logged=True),
     Command("rest-below", "Put limbs and everything below them back to rest", _rest_below, "[LIMB…]", logged=True),
     Command(
-        "rest-dof", "Put one degree of freedom back to rest", _rest_dof, "flexion|pivot|twist [LIMB…]", logged=True
+        "rest-dof",
+        "Put one degree of freedom back to rest",
+        _rest_dof,
+        "flexion|pivot|twist|x|y|z [LIMB…]",
+        logged=True,
     ),
 )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.plugins.records import Command
 from layfigure.session.commands.arguments import limbs
 from layfigure.session.commands.candidates import candidate
@@ -12,6 +11,7 @@ from layfigure.session.commands.interface import shown_commands
 from layfigure.session.describing import freedom
 from layfigure.session.frame import HelpOverlay
 from layfigure.session.modes import HelpMode, help_page
+from layfigure.session.telling_motion import key_rows
 from layfigure.session.words import no_more, one_of
 from layfigure.wording.anatomy import anatomy
 from layfigure.wording.changes import change_words
@@ -90,7 +90,7 @@ def _limb_rows(session: Session) -> Rows:
     figure, rows = document.figure, []
     for limb in figure.selectable:
         joint, angles = figure.limbs[limb], document.pose.angles[limb]
-        stands = [f"{kind} {angles[i]:.4g}" for i, kind in enumerate(DOF_KINDS) if angles[i]]
+        stands = [f"{kind} {angles[i]:.4g}" for i, kind in enumerate(joint.kinds) if angles[i]]
         kept = "" if not limb or limb in document.enabled else "; kept"
         can = "turns and carries the whole" if not limb else freedom(joint)
         rows.append((joint.name, f"{can}; {', '.join(stands) if stands else 'at rest'}{kept}"))
@@ -114,15 +114,20 @@ def _command_rows(session: Session) -> Rows:
     return tuple((f"{name} {command.usage}".strip(), command.title) for name, command in commands)
 
 
+def _motion_rows(session: Session) -> Rows:
+    return tuple(key_rows(session.document))
+
+
 _LISTS = {
     "limbs": _limb_rows,
     "candidates": _candidate_rows,
     "techniques": _technique_rows,
+    "motion": _motion_rows,
     "commands": _command_rows,
 }
 
 COMMANDS = (
     Command("describe", "Say the pose or a candidate in words", _describe, "[CANDIDATE]"),
     Command("where", "Say where the end of a limb is", _where, "LIMB"),
-    Command("list", "List what there is to name", _list, "limbs|candidates|techniques|commands|keys"),
+    Command("list", "List what there is to name", _list, "limbs|candidates|techniques|motion|commands|keys"),
 )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from layfigure.drawing.camera import Camera, as_matrix, fixed_view
-from layfigure.drawing.render_list import PLAIN, RECOMMENDED, SMOOTH
+from layfigure.drawing.render_list import LOOKS
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.session.layout import three_views
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 VIEWS = ("main", "right", "top")
 SEEN = {"main": "in the main view", "right": "from the right", "top": "from the top"}
-LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
 
 
 class OrbitMode(Plain):
@@ -116,16 +115,16 @@ def _frame(session: Session, words: tuple[str, ...]) -> None:
 
 
 COMMANDS = (
-    Command("skeleton", "Show the skeleton and where limbs can go", _skeleton, "[on|off]"),
-    Command("frame", "Bring the figure to the middle of the views", _frame),
-    Command("next-view", "Show every pose from the next side", _next_view),
-    Command("view", "Go to a fixed view", _view, "front|right|left|back|top"),
-    Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD"),
-    Command("camera", "Set the camera", _camera, "R11…R33 ZOOM"),
-    Command("zoom", "Zoom by a factor", _zoom, "FACTOR"),
-    Command("orbit-mode", "Turn the view by dragging or arrows", _orbit_mode),
-    Command("renderer", "Draw with another renderer", _renderer, "RENDERER"),
-    Command("look", "Choose how much care a picture takes", _look, "plain|smooth|full"),
-    Command("overlay", "Show or hide a plug-in's overlay", _overlay, "OVERLAY"),
-    Command("theme", "Change the colours of the window", _theme, "THEME"),
+    Command("skeleton", "Show the skeleton and where limbs can go", _skeleton, "[on|off]", passive=True),
+    Command("frame", "Bring the figure to the middle of the views", _frame, passive=True),
+    Command("next-view", "Show every pose from the next side", _next_view, passive=True),
+    Command("view", "Go to a fixed view", _view, "front|right|left|back|top", passive=True),
+    Command("orbit", "Turn the view by degrees", _orbit, "ACROSS UPWARD", passive=True),
+    Command("camera", "Set the camera", _camera, "R11…R33 ZOOM", passive=True),
+    Command("zoom", "Zoom by a factor", _zoom, "FACTOR", passive=True),
+    Command("orbit-mode", "Turn the view by dragging or arrows", _orbit_mode, passive=True),
+    Command("renderer", "Draw with another renderer", _renderer, "RENDERER", passive=True),
+    Command("look", "Choose how much care a picture takes", _look, "plain|smooth|full", passive=True),
+    Command("overlay", "Show or hide a plug-in's overlay", _overlay, "OVERLAY", passive=True),
+    Command("theme", "Change the colours of the window", _theme, "THEME", passive=True),
 )

@@ -1,0 +1,117 @@
+"""How much a script may do: bounds that a stranger's script cannot pass, each with the option that raises it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from fractions import Fraction
+
+from layfigure.language.places import Place
+
+MAXIMUM_NESTING = 100  # of brackets and of blocks: what the interpreter's own stack is made for
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How much a script may do before it is refused; ``layfigure run --most-steps 10000000`` raises a bound.
+
+    ``steps`` counts statements and operations, work on long motions by their keys; ``keys`` those of one motion;
+    ``pictures`` and ``actors`` (figures in them, backgrounds included) those of all scenes together; ``volumes`` those
+    of all objects that are made; ``digits`` those of one number; ``letters`` those of one string, and of all that is printed
+    together a hundred times as many; ``loads`` and ``bytes`` the files that are loaded and saved, the script included.
+    ``outside`` lets a script load from and save to places outside its own folder.
+    """
+
+    steps: int = 250_000
+    keys: int = 50_000
+    pictures: int = 2_000
+    actors: int = 10_000
+    volumes: int = 50_000
+    digits: int = 300
+    letters: int = 10_000
+    loads: int = 50
+    bytes: int = 1_000_000
+    outside: bool = False
+
+
+class Meter:
+    """Counts what a script does against its limits. The one mutable thing in a run besides its variables."""
+
+    def __init__(self, limits: Limits) -> None:
+        self.limits = limits
+        self.steps = 0
+        self._counts: Counter[str] = Counter()
+        self._largest = 10**limits.digits
+
+    def step(self, place: Place, count: int = 1) -> None:
+        """Count steps.
+
+        Raises:
+            SourceError: they are more than allowed.
+        """
+        self.steps += count
+        if self.steps > self.limits.steps:
+            most = self.limits.steps
+            raise place.error(f"the script takes more than {most} steps; is a loop endless? {raised('steps')}")
+
+    def count(self, what: str, number: int, place: Place) -> None:
+        """Count pictures, actors, volumes, files or bytes.
+
+        Raises:
+            SourceError: they are more than allowed.
+        """
+        self._counts[what] += number
+        most = getattr(self.limits, what)
+        if self._counts[what] > most:
+            raise place.error(f"the script takes more than {most} {what}; {raised(what)}")
+
+    def number(self, value: int | Fraction, place: Place) -> int | Fraction:
+        """Return a number that has no more digits than allowed, whole ones as int.
+
+        Raises:
+            SourceError: it has more.
+        """
+        if isinstance(value, Fraction):
+            if value.denominator > self._largest:
+                raise place.error(f"this fraction has more than {self.limits.digits} digits; {raised('digits')}")
+            if value.denominator == 1:
+                value = value.numerator
+        if not -self._largest < value < self._largest:
+            raise place.error(f"this number has more than {self.limits.digits} digits; {raised('digits')}")
+        return value
+
+    def text(self, value: str, place: Place) -> str:
+        """Return a string that is no longer than allowed.
+
+        Raises:
+            SourceError: it is.
+        """
+        if len(value) > self.limits.letters:
+            raise place.error(f"this string has more than {self.limits.letters} letters; {raised('letters')}")
+        return value
+
+    def printed(self, value: str, place: Place) -> str:
+        """Count the letters of what is printed and return it.
+
+        Raises:
+            SourceError: all that was printed is more than allowed.
+        """
+        self._counts["letters"] += len(value)
+        most = 100 * self.limits.letters
+        if self._counts["letters"] > most:
+            raise place.error(f"the script prints more than {most} letters; {raised('letters')}")
+        return value
+
+    def keys(self, number: int, place: Place) -> None:
+        """Refuse a motion of more keys than allowed.
+
+        Raises:
+            SourceError: it has more.
+        """
+        if number > self.limits.keys:
+            raise place.error(f"this motion would have more than {self.limits.keys} keys; {raised('keys')}")
+
+
+def raised(what: str) -> str:
+    """Return the clause that says how to raise a limit."""
+    return f"raise the limit with --most-{what}"

@@ -1,0 +1,173 @@
+"""A motion on a figure as a scene of its own: the whole of it in sight, on a floor, seen from a pleasant side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from layfigure.drawing.bounds import extents, volume_points
+from layfigure.drawing.render_list import Rectangle
+from layfigure.errors import LayfigureError
+from layfigure.figures.figure import Figure
+from layfigure.kinematics.forward import limb_begins, limb_ends, place
+from layfigure.models.articulated import Model
+from layfigure.motions.motion import RATE, Motion
+from layfigure.motions.numbers import Rational, rational
+from layfigure.motions.sampling import frame_times, sample
+from layfigure.motions.standard import STANDARD, Curves
+from layfigure.poses.pose import Pose
+from layfigure.scenes.camera import Point, SceneCamera, flipped
+from layfigure.scenes.listing import layout
+from layfigure.scenes.performing import MAXIMUM_IMAGES, Who, figure_of
+from layfigure.scenes.picture import Actor, ScenePicture, Shooting
+from layfigure.suggestions import did_you_mean
+
+Floats = NDArray[np.float64]
+DIRECTIONS: dict[str, Point] = {
+    "front": (0.0, 0.0, 1.0),
+    "right": (1.0, 0.0, 0.0),
+    "left": (-1.0, 0.0, 0.0),
+    "back": (0.0, 0.0, -1.0),
+    "top": (0.0, 1.0, 0.0),
+    "three-quarter": (0.62, 0.3, 1.0),
+}
+"""Where cameras stand, in script coordinates, seen from what they look at."""
+SHEET = ("front", "right", "top")
+_MARGIN = 1.14  # how much more than the figure a picture holds
+_BLOCK = 1000  # frames placed at a time
+_NOMINAL = 6000  # pixels of height that shapes of pictures are worked out with
+
+
+@dataclass(frozen=True)
+class Filming:
+    """How a motion is filmed.
+
+    ``view`` is one of :data:`DIRECTIONS`, or ``sheet`` for front, right and top in one picture. ``fps`` pictures show a
+    second, which is ``rate`` frames of the motion. ``aspect`` is the width of pictures by their height. With ``floor``
+    the ground lies under the lowest point that is ever reached. With ``follow`` the camera goes along with the root.
+    With ``loop`` the end is left out, where a motion that goes round begins again.
+    """
+
+    view: str = "three-quarter"
+    fps: Rational = RATE
+    rate: Rational = RATE
+    aspect: float = 4 / 3
+    floor: bool = True
+    follow: bool = False
+    loop: bool = False
+
+    @property
+    def directions(self) -> tuple[Point, ...]:
+        """Where the cameras stand.
+
+        Raises:
+            LayfigureError: there is no such view.
+        """
+        if self.view == "sheet":
+            return tuple(DIRECTIONS[name] for name in SHEET)
+        try:
+            return (DIRECTIONS[self.view],)
+        except KeyError:
+            names = ("sheet", *DIRECTIONS)
+            hint = did_you_mean(self.view, names)
+            raise LayfigureError(f'there is no view "{self.view}"; the views are {", ".join(names)}{hint}') from None
+
+
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """A figure on f frames: angles (f, n, 3), translations (f, 3), and where cameras are taken along (f, 3)."""
+
+    figure: Figure
+    angles: Floats
+    translations: Floats
+    along: Floats
+
+
+def film_of_motion(
+    who: Who, motion: Motion, filming: Filming | None = None, start: Pose | None = None, curves: Curves = STANDARD
+) -> Shooting:
+    """Return a motion on a figure or model, from its first frame to its last, with all of it in every picture.
+
+    Joints that it does not move stand as in ``start``, or neutral.
+
+    Raises:
+        LayfigureError: the view is unknown, a rate is not over 0, there would be too many pictures, or a key names an
+            interpolation that ``curves`` does not have.
+    """
+    asked = filming or Filming()
+    directions = asked.directions
+    times = _times(motion, asked)
+    sampled = sample(figure_of(who), motion, times, start, curves)
+    run = _run(who, sampled.angles, sampled.translations, asked.follow)
+    boxes = layout(max(round(_NOMINAL * asked.aspect), 1), _NOMINAL, len(directions))
+    cameras = [_cameras(run, direction, box) for direction, box in zip(directions, boxes, strict=True)]
+    floor = float(_reach(run, np.eye(3), False)[0][1]) if asked.floor else None
+    pictures = []
+    for actor, (camera, *sides) in zip(_actors(run), zip(*cameras, strict=True), strict=True):
+        pictures.append(ScenePicture((actor,), camera, floor, tuple(sides)))
+    return Shooting(1, tuple(pictures), sampled.clamps, unknown=sampled.unknown)
+
+
+def _times(motion: Motion, filming: Filming) -> Floats:
+    times = frame_times(motion, filming.fps, filming.rate)
+    if len(times) > MAXIMUM_IMAGES:
+        raise LayfigureError(f"a film of {len(times)} pictures is too long; take fewer a second, or a part")
+    step = rational(filming.rate) / rational(filming.fps)
+    if filming.loop and len(times) > 1 and (len(times) - 1) * step == motion.duration:
+        return times[:-1]
+    return times
+
+
+def _run(who: Who, angles: Floats, translations: Floats, follow: bool) -> _Run:
+    if isinstance(who, Model) and who.main != 0:
+        angles, translations = np.array(angles), np.zeros_like(translations)
+        angles[:, 0] = 0.0
+        angles, translations = who.held(angles, translations)
+    angles.flags.writeable = translations.flags.writeable = False
+    along = translations if follow else np.zeros_like(translations)
+    return _Run(figure_of(who), angles, translations, along)
+
+
+def _actors(run: _Run) -> Iterator[Actor]:
+    for angles, translation in zip(run.angles, run.translations, strict=True):
+        yield Actor(run.figure, angles, translation)
+
+
+def _cameras(run: _Run, direction: Point, box: Rectangle) -> list[SceneCamera]:
+    """Return a camera for every frame; without ``follow`` they are one and the same."""
+    rotation = np.array(SceneCamera(direction, 1.0).rotation)
+    low, high = _reach(run, rotation, True)
+    across, tall = (high - low)[:2]
+    width = max(across, tall * box.width / box.height, 1e-6) * _MARGIN
+    middle = rotation.T @ ((low + high) / 2)
+    cameras: dict[bytes, SceneCamera] = {}
+    for moved in run.along:
+        if moved.tobytes() not in cameras:
+            target = flipped(tuple(middle + moved))
+            cameras[moved.tobytes()] = SceneCamera(_point(target + direction), float(width), _point(target))
+    return [cameras[moved.tobytes()] for moved in run.along]
+
+
+def _reach(run: _Run, rotation: Floats, relative: bool) -> tuple[Floats, Floats]:
+    """Return the lowest and highest coordinates (3,) of all frames along the rows of ``rotation`` (3, 3).
+
+    ``relative`` counts them from where cameras are taken along.
+    """
+    lows, highs = [], []
+    for first in range(0, len(run.angles), _BLOCK):
+        block = slice(first, first + _BLOCK)
+        moved = run.translations[block] - run.along[block] if relative else run.translations[block]
+        placement = place(run.figure, run.angles[block], moved)
+        ends = np.concatenate([limb_begins(run.figure, placement), limb_ends(run.figure, placement)], axis=1)
+        low, high = extents(run.figure, volume_points(run.figure, placement) @ rotation.T)
+        lows.append(np.concatenate([low, ends @ rotation.T], axis=1).min(axis=(0, 1)))
+        highs.append(np.concatenate([high, ends @ rotation.T], axis=1).max(axis=(0, 1)))
+    return np.min(lows, axis=0), np.max(highs, axis=0)
+
+
+def _point(values: Floats) -> Point:
+    x, y, z = values.tolist()
+    return (x, y, z)

@@ -1,0 +1,1 @@
+"""One module per format. A sink takes a film's pictures one by one and writes them to a path."""

@@ -1,0 +1,1 @@
+"""What can become a film, one module per kind of file."""

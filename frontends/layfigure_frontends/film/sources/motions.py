@@ -1,0 +1,75 @@
+"""A motion as a film: on the figure it was made for, or on another."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from layfigure_frontends.film.choice import FilmChoice, shaped
+from layfigure_frontends.film.reel import Film, Size
+from layfigure_frontends.film.sources.shootings import USUAL, reels_of, studio_of, told, warned
+
+if TYPE_CHECKING:
+    from layfigure.figures.figure import Figure
+    from layfigure.motions.motion import Motion
+    from layfigure.motions.standard import Curves
+    from layfigure.plugins.host import Host
+    from layfigure_frontends.opening import PluginChoice
+
+VIEW = "three-quarter"
+_SHEET = Size(720, 480)
+
+
+def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
+    """Return a motion as a film that lasts as long as the motion, however many pictures per second show it.
+
+    Raises:
+        LayfigureError: the motion, its figure, the view or the renderer cannot be had.
+    """
+    from layfigure.scenes.film import Filming, film_of_motion
+
+    from layfigure.configuration import load_configuration
+    from layfigure.motions.motion_file import load_motion
+    from layfigure.motions.standard import STANDARD
+
+    studio = studio_of(asked, choice)
+    curves = {**STANDARD, **studio.host.interpolations}
+    file = load_motion(source, curves)
+    view = asked.view or VIEW
+    size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
+    rate = asked.rate or file.rate
+    filming = Filming(view, rate, file.rate, size.width / size.height, loop=_goes_round(file.motion, curves))
+    usual = load_configuration(choice.config).figure
+    figure = _figure(studio.host, file.figure, source, asked.figure, usual)
+    shootings = (film_of_motion(figure, file.motion, filming, curves=curves),)
+    return Film(
+        reels_of(shootings, studio),
+        size,
+        rate,
+        telling=told(shootings, rate),
+        warnings=tuple(warned(shootings)),
+        identity=studio.identity,
+        code=studio.code,
+    )
+
+
+def _figure(host: Host, own: str | None, source: Path, other: str | None, usual: str) -> Figure:
+    """Return another figure, else the motion's own, which may lie beside the file ``source``, else the usual one.
+
+    Raises:
+        LayfigureError: there is no such figure.
+    """
+    from layfigure.figures.library import load_figure
+    from layfigure.session.figures import open_figure
+
+    if other is not None or own is None or own in host.figures:
+        return open_figure(host, other or own or usual)
+    return load_figure(own, source.parent)
+
+
+def _goes_round(motion: Motion, curves: Curves) -> bool:
+    """Return whether a motion ends as it begins, wherever it has gone meanwhile: it can be shown again and again."""
+    from layfigure.motions.keys import PLACE
+
+    first, last = motion.at(0, curves), motion.at(motion.duration, curves)
+    return all(first.get(joint) == last.get(joint) for joint in motion.joints if joint != PLACE)

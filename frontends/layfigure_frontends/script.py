@@ -1,0 +1,57 @@
+"""Runs scripts for subcommands: the options that raise what one may do, and the plug-ins' interpolations."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from layfigure.language.limits import Limits
+from layfigure_frontends.opening import PluginChoice, as_record, open_host
+
+if TYPE_CHECKING:
+    from layfigure.language.programme import Programme
+
+_WORDS = {
+    "steps": "statements and operations",
+    "keys": "keys of one motion",
+    "pictures": "pictures of all scenes",
+    "actors": "figures in all pictures",
+    "volumes": "volumes of all objects made",
+    "digits": "digits of a number",
+    "letters": "letters of a string",
+    "loads": "files loaded and saved",
+    "bytes": "bytes loaded and saved",
+}
+
+limit_options = as_record(
+    "limits",
+    Limits,
+    *(
+        click.option(
+            f"--most-{field.name}",
+            field.name,
+            type=click.IntRange(1, 10**12),
+            default=field.default,
+            show_default=True,
+            help=f"Let scripts go as far: {_WORDS[field.name]}.",
+        )
+        for field in fields(Limits)
+        if field.name in _WORDS
+    ),
+    click.option("--outside", is_flag=True, help="Let scripts save outside their own folder."),
+)
+
+
+def run(script: Path, limits: Limits, choice: PluginChoice) -> Programme:
+    """Return what a script comes to; its motions may name the interpolations of plug-ins.
+
+    Raises:
+        LayfigureError: it cannot be read, has a mistake, or does more than the limits allow.
+    """
+    from layfigure.language import run_script
+    from layfigure.motions.standard import STANDARD
+
+    return run_script(script, limits, {**STANDARD, **open_host(choice).interpolations})

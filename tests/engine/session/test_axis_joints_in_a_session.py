@@ -1,0 +1,115 @@
+"""A session on a figure whose joints turn about x, y and z."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from layfigure.errors import LayfigureError
+from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.pose_file import load_pose, save_pose
+from layfigure.session.joint_dials import circle_line, joint_dials
+from layfigure.testing.player import Player
+
+FIG = """trunk {
+  axis y
+  0 0 0  0 20 0
+  cylinder 0 0 0  0 20 0  6 orange
+  mirror right left joint -8 20 0 arm {
+    axis x
+    0 0 0  -12 -3 0
+    xdof -90 90
+    ydof -80 80
+    zdof -720 720
+    cylinder 0 0 0  -12 -3 0  2 0x8c6633
+    joint -12 -3 0 hand { axis -y flexionaxis -x 0 0 0 0 -6 2 flexiondof -45 45 }
+  }
+  joint 0 20 0 head { axis y 0 0 0 0 7 0 xdof -30 30 sphere 0 5 0 5 pink }
+}"""
+
+
+@pytest.fixture
+def player(tmp_path: Path, layfigure_player: Player) -> Player:
+    path = tmp_path / "trunk.fig"
+    path.write_text(FIG)
+    layfigure_player.session.execute("use fk")
+    layfigure_player.session.execute(f"figure {path}")
+    return layfigure_player
+
+
+def angles(player: Player, limb: str) -> list[float]:
+    document = player.session.document
+    return document.pose.angles[document.figure.index(limb)].tolist()
+
+
+def test_angles_are_set_by_their_own_names(player: Player) -> None:
+    player.session.execute("set rightarm 10 20 400")
+    assert angles(player, "rightarm") == [10, 20, 400]
+    player.session.execute("angle rightarm y -30")
+    assert angles(player, "rightarm") == [10, -30, 400]
+    player.session.execute("select head")
+    player.session.execute("set head 25")
+    assert angles(player, "head") == [25, 0, 0]
+
+
+def test_the_keys_that_flex_turn_about_x(player: Player) -> None:
+    player.session.execute("select rightarm")
+    player.session.execute("nudge flexion 5")
+    player.session.execute("nudge z 7")
+    assert angles(player, "rightarm") == [5, 0, 7]
+    player.session.execute("rest-dof flexion rightarm")
+    assert angles(player, "rightarm") == [0, 0, 7]
+
+
+def test_a_missing_axis_is_refused(player: Player) -> None:
+    player.session.execute("select head")
+    with pytest.raises(LayfigureError, match="the head has no y"):
+        player.session.execute("nudge y 5")
+
+
+def test_limits_hold(player: Player) -> None:
+    player.session.execute("set rightarm 200 0 800")
+    assert angles(player, "rightarm") == [90, 0, 720]
+    assert "ends at" in player.frame().status
+
+
+def test_two_turns_survive_files_packing_and_replay(player: Player, tmp_path: Path) -> None:
+    player.session.execute("set leftarm 1.5 -2 700.25")
+    document = player.session.document
+    save_pose(tmp_path / "p.pose", document.figure, document.pose)
+    assert "leftarm x 1.5 y -2 z 700.25" in (tmp_path / "p.pose").read_text()
+    figure, pose = load_pose(tmp_path / "p.pose")
+    assert pose == document.pose
+    assert unpack_pose(figure, pack_pose(figure, pose)) == pose
+
+
+def test_there_is_a_circle_for_each_axis(player: Player) -> None:
+    figure = player.session.document.figure
+    dials = joint_dials(player.session.document, (figure.index("rightarm"),))
+    assert [dial.text for dial in dials] == ["About x", "About y", "About z"]
+    assert [dial.text for dial in joint_dials(player.session.document, (figure.index("head"),))] == ["About x"]
+
+
+def test_a_circle_stays_in_the_turn_that_its_joint_is_in(player: Player) -> None:
+    from dataclasses import replace
+
+    from layfigure.drawing.render_list import Rectangle
+
+    player.session.execute("set rightarm 0 0 400")
+    figure = player.session.document.figure
+    dial = joint_dials(player.session.document, (figure.index("rightarm"),))[2]
+    placed = replace(dial, rectangle=Rectangle(0, 0, 100, 100))
+    assert circle_line(placed, 90, 50) == "set rightarm 0 0 450"
+
+
+def test_a_mirrored_pose_swaps_the_arms(player: Player) -> None:
+    player.session.execute("set rightarm 10 20 30")
+    player.session.execute("flip")
+    assert angles(player, "leftarm") == [10, 20, 30]
+    assert angles(player, "rightarm") == [0, 0, 0]
+
+
+def test_it_is_said_in_words(player: Player) -> None:
+    player.session.execute("select rightarm")
+    assert "turns about x, y and z" in " ".join(player.session.describe_selection())
