@@ -56,16 +56,30 @@ def axis_angles(rotation: ArrayLike) -> Floats:
 
 
 def nearest_axis_angles(rotation: ArrayLike, near: ArrayLike, limits: ArrayLike) -> Floats:
-    """Return the angles (3,) in degrees of one rotation (3, 3) that suit a joint best.
+    """Return the angles (..., 3) in degrees of rotations (..., 3, 3) that suit a joint best.
 
     A rotation has two triples x, y, z, each up to whole turns. Of those the one that lies least outside ``limits``
-    (3, 2), and then nearest to the angles ``near`` (3,), is taken; it need not lie inside.
+    (3, 2), and then nearest to the angles ``near`` (3,), is taken; it need not lie inside. Where x and z turn about
+    one line, z stays near and x does the rest, as far as limits let it.
     """
     first = axis_angles(rotation)
-    second = np.array([first[0] + 180.0, 180.0 - first[1], first[2] + 180.0])
+    second = first * [1.0, -1.0, 1.0] + 180.0
     wanted, (low, high) = np.asarray(near, dtype=np.float64), np.asarray(limits, dtype=np.float64).T
-    tried = [_turned(triple, wanted, low, high) for triple in (first, second)]
-    return min(tried, key=lambda triple: _badness(triple, wanted, low, high))
+    tried = [_shared_out(by_whole_turns(triple, wanted, low, high), wanted, low, high) for triple in (first, second)]
+    (outside, away), (others_outside, others_away) = (_badness(triple, wanted, low, high) for triple in tried)
+    better = (others_outside < outside) | ((others_outside == outside) & (others_away < away))
+    return np.where(better[..., None], tried[1], tried[0])
+
+
+def by_whole_turns(angles: Floats, near: Floats, low: Floats, high: Floats) -> Floats:
+    """Return angles in degrees moved by whole turns into limits, or as near to what is wanted as turns bring them.
+
+    The arguments are broadcast; angles that no whole turns bring into their limits are left outside.
+    """
+    wanted = np.clip(near, low, high)
+    here = angles + 360.0 * np.round((wanted - angles) / 360.0)
+    up, down = here + 360.0, here - 360.0
+    return np.where((here < low) & (up <= high), up, np.where((here > high) & (down >= low), down, here))
 
 
 def committed(angles: ArrayLike, euler: Flags | None = None) -> Floats:
@@ -84,13 +98,23 @@ def committed(angles: ArrayLike, euler: Flags | None = None) -> Floats:
     return answer
 
 
-def _turned(triple: Floats, wanted: Floats, low: Floats, high: Floats) -> Floats:
-    """Move each angle by whole turns into its limits, or as near to what is wanted as turns bring it."""
-    near = triple + 360.0 * np.round((np.clip(wanted, low, high) - triple) / 360.0)
-    up, down = near + 360.0, near - 360.0
-    return np.where((near < low) & (up <= high), up, np.where((near > high) & (down >= low), down, near))
+def _shared_out(triples: Floats, wanted: Floats, low: Floats, high: Floats) -> Floats:
+    """Share out one turn between x and z where they turn about one line, y being 90 or -90 degrees.
+
+    There Rz(z) does what Rx(z) does for y = 90, and Rx(-z) for y = -90.
+    """
+    sine = np.sin(np.radians(triples[..., 1]))
+    locked = np.abs(sine) > _UPRIGHT
+    if not locked.any():
+        return triples
+    answer, side = triples.copy(), np.sign(sine[locked])
+    total, z = triples[locked, 0] + side * triples[locked, 2], np.clip(wanted[2], low[2], high[2])
+    x = by_whole_turns((total - side * z)[:, None], wanted[:1], low[:1], high[:1])[:, 0]
+    over = x - np.clip(x, low[0], high[0])
+    answer[locked, 0], answer[locked, 2] = x - over, z + side * over
+    return answer
 
 
-def _badness(triple: Floats, wanted: Floats, low: Floats, high: Floats) -> tuple[float, float]:
-    outside = np.maximum(np.maximum(low - triple, triple - high), 0.0).max()
-    return (round(float(outside), 9), float(np.abs(triple - wanted).max()))
+def _badness(triples: Floats, wanted: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    outside = np.maximum(np.maximum(low - triples, triples - high), 0.0).max(axis=-1)
+    return np.round(outside, 9), np.abs(triples - wanted).max(axis=-1)

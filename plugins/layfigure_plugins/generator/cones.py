@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from layfigure.drawing.marks import Mark
 from layfigure.figures.figure import Figure
 from layfigure.kinematics.forward import Placement, place_pose
-from layfigure.kinematics.swing import rotations
-from layfigure_plugins.generator.alternatives import SWING, alternatives, varying_columns
+from layfigure.kinematics.joints import rotations
+from layfigure_plugins.generator.alternatives import SWING, alternatives, freedoms
+from layfigure_plugins.generator.axis_joints import axis_joint
 from layfigure_plugins.generator.state import GeneratorState, mutated
 from layfigure_plugins.generator.stream import rules_of
 
@@ -42,9 +43,9 @@ def cones(figure: Figure, state: GeneratorState) -> tuple[Mark, ...]:
     for (limb, rows), matrices in zip(angles.items(), np.split(turned, np.cumsum(counts)[:-1]), strict=True):
         joint, end = placement.origins[limb], figure.arrays.ends[limb]
         if state.kind != SWING:
-            marks += _dial(joint + matrices[0] @ end, matrices @ _face(figure, limb), rows[:, 2])
-        elif len(varying_columns(figure, limb, SWING)) == 1:
-            order = np.argsort(rows[:, :2].sum(axis=1), kind="stable")
+            marks += _dial(joint + matrices[0] @ end, matrices @ _face(figure, limb), _twists(figure, limb, rows))
+        elif freedoms(figure, limb, SWING) == 1:  # nothing but that angle differs from row to row
+            order = np.argsort(rows.sum(axis=1), kind="stable")
             marks.append(_path([joint, *(joint + matrices[order] @ end), joint]))
         else:
             marks += _cone(joint, matrices @ end)
@@ -64,9 +65,9 @@ def _next_angles(figure: Figure, state: GeneratorState) -> dict[int, Floats]:
 
 def _turned(figure: Figure, placement: Placement, limbs: NDArray[np.int64], angles: Floats) -> Floats:
     """Return limb_to_world rotations (m, 3, 3) of ``limbs`` (m,) at joint angles (m, 3), their parents as placed."""
-    frames = figure.arrays.frames[limbs]
+    frames, euler = figure.arrays.frames[limbs], figure.arrays.euler[limbs]
     above = placement.limb_to_world[figure.arrays.parents[limbs]]
-    return np.asarray(above @ frames @ rotations(angles) @ np.swapaxes(frames, -1, -2))
+    return np.asarray(above @ frames @ rotations(angles, euler) @ np.swapaxes(frames, -1, -2))
 
 
 def _cone(joint: Floats, arms: Floats) -> Iterator[Mark]:
@@ -118,9 +119,15 @@ def _hull(points: Floats) -> Floats:
 
 
 def _face(figure: Figure, limb: int) -> Floats:
-    """Return the radius of a limb's dial in limb coordinates: along its flexion axis, which twist turns."""
+    """Return the radius of a limb's dial in limb coordinates: where flexion leads, which twist turns."""
     arrays = figure.arrays
-    return np.asarray(arrays.frames[limb][:, 0] * np.linalg.norm(arrays.ends[limb]) * _FACE)
+    across = axis_joint(figure, limb).basis[:, 0] if arrays.euler[limb] else np.array([1.0, 0.0, 0.0])
+    return np.asarray(arrays.frames[limb] @ across * np.linalg.norm(arrays.ends[limb]) * _FACE)
+
+
+def _twists(figure: Figure, limb: int, angles: Floats) -> Floats:
+    """Return the twists (m,) in degrees that joint angles (m, 3) of a limb have about its main axis."""
+    return axis_joint(figure, limb).twists(angles) if figure.arrays.euler[limb] else angles[:, 2]
 
 
 def _dial(tip: Floats, hands: Floats, twists: Floats) -> Iterator[Mark]:

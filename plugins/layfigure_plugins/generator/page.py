@@ -9,7 +9,7 @@ from typing import NamedTuple
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
 from layfigure.techniques.keeping import Keep
-from layfigure_plugins.generator.alternatives import SWING, Rule, varying_columns
+from layfigure_plugins.generator.alternatives import SWING, Rule, freedoms
 from layfigure_plugins.generator.choosing import Choice, choose, told
 from layfigure_plugins.generator.state import PAGE_SIZE, Generation
 from layfigure_plugins.generator.stream import Stream
@@ -71,7 +71,7 @@ def note_of(figure: Figure, generation: Generation, stream: Stream) -> str:
 
 
 def _reason(figure: Figure, limb: int, rule: Rule) -> str:
-    if not varying_columns(figure, limb, rule.kind):
+    if not freedoms(figure, limb, rule.kind):
         return "cannot bend" if rule.kind == SWING else "cannot twist"
     if rule.reach is None:
         return "can go nowhere else within the joint's limits"

@@ -63,7 +63,7 @@ class Stream:
 
     def poses(self, turns: Iterable[int]) -> tuple[Pose, ...]:
         """Return the candidates with some numbers, from 0."""
-        return tuple(Pose.of(angles, self.base.translation) for angles in self.angles(turns))
+        return tuple(self.base.with_angles(angles) for angles in self.angles(turns))
 
 
 def rules_of(generation: Generation) -> dict[int, Rule]:
