@@ -101,7 +101,7 @@ EMPTY = Shape()
 def box(width: Number, height: Number, depth: Number, at: Point = (0, 0, 0), lightness: Number = LIGHTNESS) -> Shape:
     """Return a box about its centre ``at``: width along x, height along y, depth along z (thesis, appendix A).
 
-    ``lightness`` is from 0 (black) to 100 (white).
+    ``lightness`` is how much light it gives back, from 0 (black) to 100 (white).
 
     Raises:
         LayfigureError: a size is not greater than 0, or the lightness lies outside.
@@ -149,7 +149,7 @@ def cone(radius: Number, base: Point, tip: Point, colour: str = "grey") -> Shape
 
 
 def grey(lightness: Number) -> str:
-    """Return the colour of a lightness from 0 (black) to 100 (white).
+    """Return the grey that gives back so many hundredths of the light that white does, encoded as sRGB.
 
     Raises:
         LayfigureError: it lies outside.
@@ -157,7 +157,9 @@ def grey(lightness: Number) -> str:
     light = checked_number(lightness, "a lightness")
     if not 0.0 <= light <= 100.0:
         raise LayfigureError(f"a lightness goes from 0 to 100, but this one is {light:g}")
-    return "#" + f"{round(light * 2.55):02x}" * 3
+    share = light / 100.0
+    encoded = 12.92 * share if share <= 0.0031308 else 1.055 * share ** (1 / 2.4) - 0.055
+    return "#" + f"{round(encoded * 255):02x}" * 3
 
 
 def checked_colour(colour: str) -> str:

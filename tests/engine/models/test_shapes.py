@@ -19,8 +19,8 @@ def test_a_box_has_width_along_x_height_along_y_and_depth_along_z_about_its_cent
 
 
 def test_a_box_is_forty_light_unless_it_says_otherwise():
-    assert box(1, 1, 1).volumes[0].colour == "#666666"
-    assert box(1, 1, 1, lightness=25).volumes[0].colour == "#404040"
+    assert box(1, 1, 1).volumes[0].colour == "#aaaaaa"
+    assert box(1, 1, 1, lightness=25).volumes[0].colour == "#898989"
 
 
 def test_superposition_keeps_the_volumes_of_both():
