@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.motions.keys import ROOT_JOINT
 
@@ -16,12 +15,5 @@ def joints_of(figure: Figure) -> Mapping[str, tuple[int, ...]]:
     """Return limb indices by joint id: ``root``, and every limb's own id; limbs that share one move alike."""
     found: dict[str, tuple[int, ...]] = {ROOT_JOINT: (0,)}
     for limb in figure.limbs[1:]:
-        name = limb.name.casefold()
-        found[name] = (*found.get(name, ()), limb.index)
+        found[limb.joint_id] = (*found.get(limb.joint_id, ()), limb.index)
     return MappingProxyType(found)
-
-
-def kinds_of(figure: Figure, limb: int) -> tuple[str, str, str]:
-    """Return what a limb's three angles are called."""
-    del figure, limb
-    return DOF_KINDS
