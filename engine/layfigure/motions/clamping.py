@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.files.decimals import plain
-from layfigure.motions.joints import joints_of, kinds_of
+from layfigure.motions.joints import joints_of
 from layfigure.motions.keys import PLACE, ROOT_JOINT, Key, Span, Values
 from layfigure.motions.motion import Motion
 
@@ -86,8 +87,8 @@ def clamp_samples(
     if not count:
         return kept, ClampReport(0, samples)
     limb, frame = int(limbs[worst[1]]), Fraction(repr(float(times[worst[0]])))
-    name, kind = figure.names[limb], kinds_of(figure, limb)[int(worst[2])]
-    return kept, ClampReport(count, samples, name, kind, float(over[worst]), frame)
+    joint = figure.limbs[limb]
+    return kept, ClampReport(count, samples, joint.joint_id, joint.kinds[int(worst[2])], float(over[worst]), frame)
 
 
 def clamped(motion: Motion, figure: Figure) -> tuple[Motion, ClampReport]:
@@ -102,7 +103,7 @@ def clamped(motion: Motion, figure: Figure) -> tuple[Motion, ClampReport]:
         if joint in limits:
             spans = []
             for span in motion.tracks[joint]:
-                spans.append(span.revalued(lambda v, bounds=limits[joint]: _inside(v, bounds)))  # type: ignore[misc]
+                spans.append(span.revalued(partial(_inside, bounds=limits[joint])))
                 report = report.with_other(_keys_report(figure, joint, span, spans[-1]))
             tracks[joint] = tuple(spans)
     return Motion(motion.duration, tracks, motion.marks), report
@@ -129,7 +130,7 @@ def _inside(values: Values, bounds: Bounds) -> Values:
 
 
 def _keys_report(figure: Figure, joint: str, before: Span, after: Span) -> ClampReport:
-    kinds = kinds_of(figure, joints_of(figure)[joint][0])
+    kinds = figure.limbs[joints_of(figure)[joint][0]].kinds
     report = ClampReport(0, len(before.keys), counted="keys")
     for old, new in zip(before.keys, after.keys, strict=True):
         if old != new:

@@ -167,7 +167,7 @@ def _slopes(
         left, right, before, after = h[:-1], h[1:], secant[:-1], secant[1:]
         one, two = 2 * right + left, right + 2 * left
         mean = (one + two) / (one / before + two / after)
-    slopes[1:-1] = np.where(before * after > 0, mean, 0.0)
+        slopes[1:-1] = np.where(before * after > 0, mean, 0.0)
     slopes[firsts] = slopes[lasts] = 0.0
     for side, (edge, step) in enumerate(((firsts, 1), (lasts, -1))):
         free = (lasts > firsts) & ~held[:, side]

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from layfigure.figures.definition import DOF_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.motions.keys import ROOT_JOINT
 
@@ -18,9 +17,3 @@ def joints_of(figure: Figure) -> Mapping[str, tuple[int, ...]]:
     for limb in figure.limbs[1:]:
         found[limb.joint_id] = (*found.get(limb.joint_id, ()), limb.index)
     return MappingProxyType(found)
-
-
-def kinds_of(figure: Figure, limb: int) -> tuple[str, str, str]:
-    """Return what a limb's three angles are called."""
-    del figure, limb
-    return DOF_KINDS

@@ -145,3 +145,33 @@ def interpolation_id(how: object) -> str:
 def in_order(joints: Iterable[str]) -> list[str]:
     """Return joint ids as people count them: numbers first and by size, then names."""
     return sorted(joints, key=lambda joint: (0, int(joint), joint) if joint.isdecimal() else (1, 0, joint))
+
+
+def joint_ids(joints: Iterable[object]) -> frozenset[str]:
+    """Return the ids of joints, some of which may be given as collections of joints.
+
+    Raises:
+        LayfigureError: one cannot be an id.
+    """
+    found: frozenset[str] = frozenset()
+    for joint in joints:
+        several = isinstance(joint, Iterable) and not isinstance(joint, str)
+        found |= joint_ids(joint) if several else {joint_id(joint)}  # type: ignore[arg-type]
+    return found
+
+
+def held(tracks: Tracks, duration: Fraction, until: Fraction) -> dict[str, tuple[Span, ...]]:
+    """Return the tracks of a motion made to last until then, its joints staying where they end.
+
+    The hold is a span of its own, or it would change the curve that leads there. A joint that is silent at the end
+    stays silent.
+    """
+    longer = dict(tracks)
+    for joint, spans in tracks.items():
+        last = spans[-1]
+        if last.end == duration < until:
+            still = len(last.keys) == 1
+            key = last.keys[0] if still else Key(last.end, last.last)
+            hold = Span(last.begin if still else last.end, until, (key,))
+            longer[joint] = (*(spans[:-1] if still else spans), hold)
+    return longer

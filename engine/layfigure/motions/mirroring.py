@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
@@ -69,7 +70,7 @@ def mirror(motion: Motion, figure: Figure) -> Motion:
         sign = (-1, 1, 1) if joint == PLACE else (1, 1, 1) if limb is None else tuple(signs[limb].astype(int).tolist())
         if to in tracks:
             raise LayfigureError(f'two joints would become "{to}" in the mirror; {figure.name} is not symmetric there')
-        tracks[to] = tuple(span.revalued(lambda v, by=sign: _times(v, by)) for span in spans)  # type: ignore[misc]
+        tracks[to] = tuple(span.revalued(partial(_times, signs=sign)) for span in spans)
     return Motion(motion.duration, tracks, motion.marks)
 
 

@@ -12,8 +12,9 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, ClassVar
 
 from layfigure.errors import LayfigureError
-from layfigure.motions.keys import PLACE, Key, Mark, Span, Tracks, Values, in_order, joint_id
+from layfigure.motions.keys import PLACE, Mark, Span, Tracks, Values, held, in_order, joint_id, joint_ids
 from layfigure.motions.numbers import Rational, bounded, rational, written
+from layfigure.motions.size import check_size
 from layfigure.motions.span_curve import State, exact_states
 from layfigure.motions.standard import STANDARD, Curves
 
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
     from layfigure.motions.clamping import ClampReport
     from layfigure.motions.seams import SeamReport
 
-MAXIMUM_KEYS = 200_000
-MAXIMUM_DURATION = 10_000_000
 RATE = 24
 """Frames of a second, where nobody says otherwise."""
 
@@ -40,8 +39,8 @@ class Motion:
     ``Motion.parse(repr(motion)) == motion``.
 
     Raises:
-        LayfigureError: on making one that cannot be, or has over :data:`MAXIMUM_KEYS` keys or
-            :data:`MAXIMUM_DURATION` frames.
+        LayfigureError: on making one that cannot be, or is too large
+            (:mod:`layfigure.motions.size`).
     """
 
     duration: Fraction
@@ -226,34 +225,20 @@ class Motion:
             word = "joint" if len(shared) == 1 else "joints"
             raise LayfigureError(f"both motions move {word} {names}; strip one of them")
         duration = max(self.duration, other.duration)
-        return Motion(duration, {**self._held(duration), **other._held(duration)}, self.marks + other.marks)
-
-    def _held(self, duration: Fraction) -> dict[str, tuple[Span, ...]]:
-        """Return the tracks of the motion made to last at least as long, its joints staying where they end.
-
-        The hold is a span of its own, or it would change the curve that leads there.
-        """
-        if duration <= self.duration:
-            return dict(self.tracks)
-        tracks = {}
-        for joint, spans in self.tracks.items():
-            last = spans[-1]
-            tracks[joint] = spans
-            if last.end == self.duration:
-                still = len(last.keys) == 1
-                begin = last.begin if still else last.end
-                key = last.keys[0] if still else Key(begin, last.last)
-                tracks[joint] = (*(spans[:-1] if still else spans), Span(begin, duration, (key,)))
-        return tracks
+        return Motion(
+            duration,
+            {**held(self.tracks, self.duration, duration), **held(other.tracks, other.duration, duration)},
+            self.marks + other.marks,
+        )
 
     def strip(self, *joints: object) -> Motion:
         """Return the motion of these joints alone (ids, or collections of ids), as long as before."""
-        kept = {joint_id(joint) for joint in _flat(joints)}
+        kept = joint_ids(joints)
         return Motion(self.duration, {joint: t for joint, t in self.tracks.items() if joint in kept}, self.marks)
 
     def without(self, *joints: object) -> Motion:
         """Return the motion without these joints, as long as before."""
-        gone = {joint_id(joint) for joint in _flat(joints)}
+        gone = joint_ids(joints)
         return Motion(self.duration, {joint: t for joint, t in self.tracks.items() if joint not in gone}, self.marks)
 
     def scale(self, frames: Rational = 1, extremes: Rational = 1) -> Motion:
@@ -269,7 +254,7 @@ class Motion:
             raise LayfigureError("time cannot be scaled by 0; 0 * motion is the motion of no length")
         scaled = self if factor > 0 else self.reverse()
         if abs(factor) != 1:
-            scaled = scaled._retimed(lambda time: bounded(time * abs(factor), "a time"))
+            scaled = scaled.retimed(lambda time: bounded(time * abs(factor), "a time"))
         return scaled if amount == 1 else scaled._amplified(amount)
 
     def _amplified(self, amount: Fraction) -> Motion:
@@ -278,7 +263,8 @@ class Motion:
 
         return self.mapped(lambda joint, span: span.revalued(by(abs(amount) if joint == PLACE else amount)))
 
-    def _retimed(self, moved: Callable[[Fraction], Fraction]) -> Motion:
+    def retimed(self, moved: Callable[[Fraction], Fraction]) -> Motion:
+        """Return the motion with every time put through a growing function that keeps 0."""
         marks = tuple(Mark(moved(mark.time), mark.name) for mark in self.marks)
         tracks = {joint: tuple(span.retimed(moved) for span in spans) for joint, spans in self.tracks.items()}
         return Motion(moved(self.duration), tracks, marks)
@@ -329,7 +315,8 @@ class Motion:
         more = rational(frames, "the frames to hold")
         if more < 0:
             raise LayfigureError(f"a motion cannot be held for {written(more)} frames; give 0 or more")
-        return Motion(self.duration + more, self._held(self.duration + more), self.marks)
+        until = self.duration + more
+        return Motion(until, held(self.tracks, self.duration, until), self.marks)
 
     def then(self, other: Motion) -> tuple[Motion, SeamReport]:
         """Return this motion followed by another, and what jumps at the seam."""
@@ -351,31 +338,29 @@ class Motion:
         """
         return Motion(self.duration, self.tracks, (*self.marks, Mark(rational(time, "the mark"), joint_id(name))))
 
+    def warp(self, ease: Callable[[float], float]) -> Motion:
+        """Return the motion with its time eased: :func:`layfigure.motions.warping.warp`."""
+        from layfigure.motions.warping import warp
+
+        return warp(self, ease)
+
     def mirror(self, figure: Figure) -> Motion:
         """Return the motion as a mirror shows it: :func:`layfigure.motions.mirroring.mirror`."""
         from layfigure.motions.mirroring import mirror
 
         return mirror(self, figure)
 
+    def within_rates(self, velocity: Rational | None = None, acceleration: Rational | None = None) -> Motion:
+        """Return the motion slowed where it is too fast: :func:`layfigure.motions.rates.within_rates`."""
+        from layfigure.motions.rates import within_rates
+
+        return within_rates(self, velocity, acceleration)
+
     def clamped(self, figure: Figure) -> tuple[Motion, ClampReport]:
         """Return the motion with its keys inside a figure's limits: :func:`layfigure.motions.clamping.clamped`."""
         from layfigure.motions.clamping import clamped
 
         return clamped(self, figure)
-
-
-def check_size(keys: int, duration: Fraction) -> None:
-    """Refuse a motion that is too large before it is made.
-
-    Raises:
-        LayfigureError: it would have over :data:`MAXIMUM_KEYS` keys or :data:`MAXIMUM_DURATION` frames, or less than 0.
-    """
-    if keys > MAXIMUM_KEYS:
-        raise LayfigureError(f"a motion of {keys} keys or marks is too large; one has up to {MAXIMUM_KEYS}")
-    if not 0 <= duration <= MAXIMUM_DURATION:
-        raise LayfigureError(
-            f"a motion of {float(min(duration, Fraction(10**30))):.6g} frames cannot be; it has 0 to {MAXIMUM_DURATION}"
-        )
 
 
 def in_a_row(motions: Iterable[Motion]) -> Motion:
@@ -407,14 +392,6 @@ def synchronize(*motions: Motion) -> Motion:
     for motion in motions:
         together = together | motion
     return together
-
-
-def _flat(joints: Iterable[object]) -> Iterable[object]:
-    for joint in joints:
-        if isinstance(joint, Iterable) and not isinstance(joint, str):
-            yield from _flat(joint)
-        else:
-            yield joint
 
 
 Motion.EMPTY = Motion(Fraction(0), {})

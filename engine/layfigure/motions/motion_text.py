@@ -26,8 +26,9 @@ from typing import NoReturn
 from layfigure.errors import LayfigureError, SourceError
 from layfigure.files.words import Word, WordReader
 from layfigure.motions.keys import DEFAULT, Key, Mark, Span, interpolation_id, joint_id
-from layfigure.motions.motion import MAXIMUM_KEYS, Motion
+from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import rational, written
+from layfigure.motions.size import MAXIMUM_KEYS
 
 _REPR = re.compile(r"""\s*Motion\.parse\((['"])(.*)\1\)\s*""", re.DOTALL)
 _STATEMENTS = ("duration", "mark", "joint", "span")

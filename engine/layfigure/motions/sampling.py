@@ -41,13 +41,14 @@ class Sampled:
     translations: Floats
     clamps: ClampReport
     unknown: tuple[str, ...] = ()
+    euler: NDArray[np.bool_] | None = None
 
     def __len__(self) -> int:
         return len(self.angles)
 
     def pose(self, index: int) -> Pose:
         """Return one of the times as a committed pose."""
-        return Pose.of(self.angles[index], self.translations[index])
+        return Pose.of(self.angles[index], self.translations[index], self.euler)
 
 
 class Manner(TypedDict, total=False):
@@ -90,7 +91,7 @@ def sample(
     moved = _places(motion, ready, moments)
     translations = np.asarray(begin.translation + moved * _TO_LEFT_HANDED)
     angles.flags.writeable = translations.flags.writeable = False
-    return Sampled(angles, translations, report, unknown)
+    return Sampled(angles, translations, report, unknown, begin.euler)
 
 
 def frame_times(motion: Motion, fps: Rational = RATE, rate: Rational = RATE) -> Floats:
@@ -175,7 +176,7 @@ def _angles(
     if clamp:
         values, report = clamp_samples(figure, limbs, values, moments.shown)
     angles[:, limbs] = values
-    _into_domain(angles, limbs)
+    _into_domain(angles, limbs[~figure.arrays.euler[limbs]])
     return angles, report, unknown
 
 
