@@ -31,7 +31,7 @@ class Limits:
 
     steps: int = 250_000
     keys: int = 50_000
-    pictures: int = 2_000
+    pictures: int = 5_000
     actors: int = 10_000
     volumes: int = 50_000
     digits: int = 300

@@ -58,6 +58,7 @@ class Stage:
     behind: list[Actor] = field(default_factory=list)
     _acting: dict[str, _Acting] = field(default_factory=dict)
     _models: dict[str, Model] = field(default_factory=dict)
+    _animates: dict[int, Animate] = field(default_factory=dict)
     _motions: dict[int, tuple[list[object], Motion]] = field(default_factory=dict)
 
     def view(self, evaluator: Evaluator, node: syntax.View) -> None:
@@ -103,7 +104,7 @@ class Stage:
         last = evaluator.number(node.last, "TO") if node.last else None
         self.run.meter.step(node.place, _WORK)
         with blamed(node.place):
-            animate = Animate(motion, first, last, node.repeat)
+            animate = self._animate(node, motion, first, last)
             performer = self.run.stage.performer(name, self._same(name, model))
             performer.act(animate, self.frame)
         before = self._acting.get(name)
@@ -125,6 +126,15 @@ class Stage:
             found.append(Take(performer, performer.angles.copy(), performer.place.copy(), spot))
         self._acting = {}
         return found
+
+    def _animate(
+        self, node: syntax.Animate, motion: Motion, first: values.Number, last: values.Number | None
+    ) -> Animate:
+        """Return what an ANIMATE says, as the same object while it says the same."""
+        known = self._animates.get(id(node))
+        if known is None or known.motion is not motion or (known.first, known.last) != (first, last):
+            known = self._animates[id(node)] = Animate(motion, first, last, node.repeat)
+        return known
 
     def _motion(self, evaluator: Evaluator, node: syntax.Expression) -> Motion:
         """Return the motion that an expression is; worked out anew only where a name in it has got another value."""
