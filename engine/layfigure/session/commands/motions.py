@@ -7,6 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.keys import PLACE
 from layfigure.motions.numbers import rational, written
@@ -14,6 +16,7 @@ from layfigure.plugins.records import Command
 from layfigure.session.commands.arguments import limbs as named_limbs
 from layfigure.session.commands.files import BREATH, STEP, VARIANTS, breathing, looped_motion
 from layfigure.session.commands.playing import frame_number
+from layfigure.session.describing import listed_limbs
 from layfigure.session.document import Document
 from layfigure.session.moments import LATEST, joints_of, known_curves, motion_of, poses_at
 from layfigure.session.telling_motion import joints_with_key, listed
@@ -41,8 +44,22 @@ def _key(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     edited = with_keys(motion, frame, values)
     title = f"key at frame {written(frame)}"
     session.commit(title, replace(document, motion=edited, playhead=frame))
-    session.say(f"Key of {listed(session.document, tuple(values))} at frame {written(frame)}.")
+    named = listed(session.document, tuple(values))
+    session.say(f"Key of {named} at frame {written(frame)}{_held_back(session, joints)}.")
     return _words(session, frame, chosen)
+
+
+def _held_back(session: Session, joints: Sequence[str]) -> str:
+    """Say which joints were keyed beyond their limits: there the motion will show something else than the pose."""
+    document = session.document
+    (shown,) = poses_at(document, [document.playhead], known_curves(session.host))
+    keyed = frozenset(joints)
+    other = [
+        limb
+        for limb in np.flatnonzero(shown.differs_from(document.pose)).tolist()
+        if keyed.intersection(joints_of(document.figure, [limb]))
+    ]
+    return f"; limits will hold back the {listed_limbs(document.figure, other)}" if other else ""
 
 
 def _key_remove(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
@@ -113,9 +130,10 @@ def _keys_from(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     poses = breathing(session, VARIANTS, BREATH) if source == "breath" else session.offer().candidates
     if not poses:
         raise ImpossibleError("there are no candidates to make keys of; keys-from-candidates breath needs none")
-    motion = looped_motion(session.document, poses, step)
+    motion, report = looped_motion(session.document, poses, step).clamped(session.document.figure)
     _change(session, f"keys from {source}", motion, Fraction(0))
-    session.say(f"{len(poses)} poses are keys of a loop of {written(motion.duration)} frames.")
+    limits = f", {report}" if report else ""
+    session.say(f"{len(poses)} poses are keys of a loop of {written(motion.duration)} frames{limits}.")
     return (source, str(step))
 
 
