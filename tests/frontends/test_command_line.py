@@ -131,7 +131,7 @@ def test_diff_takes_a_picture_that_carries_a_pose(tmp_path):
         (["render", "{sitting}", "-o", "x.bmp"], "use .png"),
         (["render", "{sitting}", "-o", "x.png", "--view", "below"], "the views are"),
         (["render", "{sitting}", "-o", "x.png", "--look", "ful"], 'did you mean "full"'),
-        (["breathe", "{sitting}", "-o", "x.png"], "as .poses, .motion or .gif"),
+        (["breathe", "{sitting}", "-o", "x.png"], "as .poses, .motion, or as a loop"),
         (["breathe", "{sitting}", "-o", "x.poses", "--intensity", "0"], "no such variants"),
         (["breathe", "absent.pose", "-o", "x.gif"], "no such file"),
         (["render", "absent.poses", "-o", "pictures"], "no such file"),
@@ -154,8 +154,8 @@ def test_a_pose_comes_to_life_as_a_set_that_is_right_and_can_be_drawn(tmp_path):
     assert layfigure("check", "life.poses", folder=tmp_path).stdout == "life.poses: right; 4 poses of humanoid\n"
     drawn = layfigure("render", "life.poses", "-o", "pictures", "--size", "64", folder=tmp_path)
     assert drawn.stdout.splitlines() == [f"pictures/life-{number}.png" for number in (1, 2, 3, 4)], drawn.stderr
-    refused = layfigure("render", "life.poses", "-o", "life.png", folder=tmp_path)
-    assert refused.returncode == 2 and "into a folder or as .gif" in refused.stderr
+    sheet = layfigure("render", "life.poses", "-o", "life.png", "--size", "64", "--no-cache", folder=tmp_path)
+    assert sheet.returncode == 0 and "a contact sheet of 4 pictures" in sheet.stderr
 
 
 def test_a_loop_of_a_breathing_pose_moves_and_comes_back(tmp_path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import log
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,9 +55,9 @@ def grid_of(film: Film) -> Grid:
     """
     least = min(LEAST_SIDE / min(film.size), 1.0)
     for count in range(min(len(film), MOST), 1, -1):
-        scale, columns = max((_scale(film.size, count, columns), -columns) for columns in range(1, count + 1))
-        if scale >= least:
-            return Grid(count, -columns, _scaled(film.size, scale))
+        grid = max((_grid(film.size, count, columns) for columns in range(1, count + 1)), key=_fitness)
+        if grid.cell.width >= least * film.size.width - 1:
+            return grid
     return Grid(1, 1, _scaled(film.size, max(_scale(film.size, 1, 1), least)))
 
 
@@ -91,6 +92,16 @@ def write(film: Film, _pictures: Iterator[Pixels], path: Path) -> None:
         foot = (left + grid.cell.width / 2, top + grid.cell.height + grid.letters * 3 / 4)
         pen.text(foot, str(film.first + place), _INK, font, "mm")
     write_with(path, lambda stream: sheet.save(stream, "PNG"))
+
+
+def _grid(size: Size, count: int, columns: int) -> Grid:
+    return Grid(count, columns, _scaled(size, _scale(size, count, columns)))
+
+
+def _fitness(grid: Grid) -> tuple[int, float]:
+    """Return how good a grid is: large pictures first, then a sheet whose shape is near the usual one's."""
+    shape = (grid.sheet.width * SHEET.height) / (grid.sheet.height * SHEET.width)
+    return grid.cell.width, -abs(log(shape))
 
 
 def _scale(size: Size, count: int, columns: int) -> float:

@@ -40,13 +40,14 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     filming = Filming(view, rate, file.rate, size.width / size.height, loop=_goes_round(file.motion, curves))
     usual = load_configuration(choice.config).figure
     figure = _figure(studio.host, file.figure, source, asked.figure, usual)
-    shootings = (film_of_motion(figure, file.motion, filming, curves=curves),)
+    shot = film_of_motion(figure, file.motion, filming, curves=curves)
+    strange = (f"{figure.name} has no joint {', '.join(shot.unknown)}",) if shot.unknown else ()
     return Film(
-        reels_of(shootings, studio),
+        reels_of((shot,), studio),
         size,
         rate,
-        telling=told(shootings, rate),
-        warnings=tuple(warned(shootings)),
+        telling=told((shot,), rate),
+        warnings=warned((shot,)) + strange,
         identity=studio.identity,
         code=studio.code,
     )

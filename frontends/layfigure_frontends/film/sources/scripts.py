@@ -42,7 +42,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice, limits: 
         shaped(asked.size, USUAL),
         rate,
         telling=told(scenes, rate),
-        warnings=(*programme.warnings, *warned(scenes)),
+        warnings=programme.warnings + warned(scenes),
         identity=studio.identity,
         code=studio.code,
     )

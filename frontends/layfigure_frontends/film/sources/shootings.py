@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -119,23 +119,19 @@ def reels_of(shootings: Sequence[Shooting], studio: Studio) -> tuple[Reel, ...]:
 
 
 def told(shootings: Sequence[Shooting], rate: Fraction) -> tuple[str, ...]:
-    """Return a line for every scene: its pictures, how long they last, what was clamped, and what jumps at seams."""
+    """Return a line for every scene: its pictures, how long they last, whether no limit interfered, seams."""
     from layfigure.files.decimals import plain
 
     lines = []
     for shooting in shootings:
         count = len(shooting.pictures)
         facts = [f"{count} picture{'s' if count != 1 else ''}, {plain(float(count / rate), 3)} s"]
-        facts += [str(shooting.clamps)] if shooting.clamps is not None else []
+        facts += [] if shooting.clamps is None or shooting.clamps else [str(shooting.clamps)]
         facts += [str(seams) for seams in shooting.seams]
         lines.append(f"scene {shooting.number}: {'; '.join(facts)}")
     return tuple(lines)
 
 
-def warned(shootings: Sequence[Shooting]) -> Iterator[str]:
-    """Yield what a person should know of scenes: where limits won, and joints that nobody has."""
-    for shooting in shootings:
-        if shooting.clamps:
-            yield f"scene {shooting.number}: {shooting.clamps}"
-        if shooting.unknown:
-            yield f"scene {shooting.number}: nobody has the joints {', '.join(shooting.unknown)}"
+def warned(shootings: Sequence[Shooting]) -> tuple[str, ...]:
+    """Return a sentence for every scene in which limits held motions back."""
+    return tuple(f"scene {shooting.number}: {shooting.clamps}" for shooting in shootings if shooting.clamps)
