@@ -1,6 +1,7 @@
 """Every technique, renderer and solver that is installed keeps the laws that the kit holds a stranger's to."""
 
 import pytest
+from tests.plugins.axis_figures import AXIS_FIGURES, axis_figure
 
 from layfigure import compiled
 from layfigure.figures.library import figure_names
@@ -29,6 +30,13 @@ def test_everything_installed_is_in_service():
 def test_a_technique_keeps_the_laws(host, technique, figure):
     keeps_limits = technique not in LEAVES_LIMITS
     check_technique(host.techniques[technique], [figure], host=host, keeps_limits=keeps_limits)
+
+
+@pytest.mark.parametrize("figure", AXIS_FIGURES)
+@pytest.mark.parametrize("technique", INSTALLED.techniques)
+def test_a_technique_keeps_the_laws_where_joints_turn_about_x_y_and_z(host, technique, figure):
+    keeps_limits = technique not in LEAVES_LIMITS
+    check_technique(host.techniques[technique], [axis_figure(figure)], host=host, keeps_limits=keeps_limits)
 
 
 @pytest.mark.parametrize("renderer", INSTALLED.renderers)

@@ -64,6 +64,21 @@ def test_the_triple_nearest_to_what_was_there_is_found(x: float, y: float, z: fl
     assert np.allclose(nearest_axis_angles(about_axes([x, y, z]), near, WIDE), (x, y, z), atol=1e-6)
 
 
+@given(st.floats(-30, 30), st.sampled_from([-90.0, 90.0]), st.floats(-60, 60))
+def test_where_x_and_z_turn_about_one_line_they_share_a_turn_within_their_limits(x: float, y: float, z: float) -> None:
+    limits = [(-30, 30), (-90, 90), (-60, 60)]
+    found = nearest_axis_angles(about_axes([x, y, z]), (0, 0, 0), limits)
+    assert np.allclose(about_axes(found), about_axes([x, y, z]), atol=1e-5)
+    assert (np.abs(found) <= [30 + 1e-5, 90 + 1e-5, 60 + 1e-5]).all()
+
+
+def test_many_rotations_at_once_are_extracted_as_one_by_one() -> None:
+    random, limits = np.random.default_rng(2), [(-90, 300), (0, 200), (-720, -100)]
+    many = about_axes(random.uniform(-180, 180, (200, 3)) // 30 * 30)
+    single = [nearest_axis_angles(rotation, (10, 20, -30), limits) for rotation in many]
+    assert np.allclose(nearest_axis_angles(many, (10, 20, -30), limits), single)
+
+
 def test_the_triple_inside_the_limits_is_preferred_to_a_nearer_one() -> None:
     rotation = about_axes([100, 120, 10])
     assert np.allclose(nearest_axis_angles(rotation, (-80, 60, -170), [(90, 110), (100, 130), (0, 20)]), (100, 120, 10))
