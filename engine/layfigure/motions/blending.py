@@ -69,9 +69,11 @@ class _Fade:
         cut = next((span.begin for span in left if span.begin < self.begin < span.end), self.begin)
         rest = [span for span in right if span.begin >= self.a.duration]
         end = next((span.end for span in right if span.begin < self.a.duration < span.end), self.a.duration)
-        shifts = self._shifts(joint, cut) if joint == PLACE else (np.zeros(3), np.zeros(3))
-        mixed = baked(cut, end, lambda moments: self._mixed(joint, moments, shifts))
-        return (*whole, *mixed, *rest)
+        begin = max(cut, min(left[0].begin, right[0].begin))  # before that both are silent
+        if begin >= end:
+            return (*whole, *rest)
+        shifts = self._shifts(joint, begin) if joint == PLACE else (np.zeros(3), np.zeros(3))
+        return (*whole, *baked(begin, end, lambda moments: self._mixed(joint, moments, shifts)), *rest)
 
     def _mixed(self, joint: str, moments: Sequence[Moment], shifts: tuple[Floats, Floats]) -> Floats:
         share = np.array([float((time - self.begin) / self.over) for time, _ in moments]).clip(0.0, 1.0)[:, None]
