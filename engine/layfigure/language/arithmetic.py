@@ -93,7 +93,7 @@ def repeated(motion: Motion, count: object, place: Place, meter: Meter) -> Motio
         raise place.error(message)
     keys = count * max(motion.key_count, len(motion.marks), 1)
     meter.keys(keys, place)
-    meter.step(place, keys)
+    meter.work("keys", keys, place)
     return count * motion
 
 
@@ -105,7 +105,7 @@ def joined(left: Motion, right: Motion, place: Place, meter: Meter) -> Motion:
     """
     keys = left.key_count + right.key_count
     meter.keys(keys, place)
-    meter.step(place, keys)
+    meter.work("keys", keys, place)
     return left + right
 
 

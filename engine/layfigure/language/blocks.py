@@ -215,7 +215,10 @@ class _Nesting:
         if on_same_line:
             if isinstance(item, Mark | Separator | None):
                 return "line", ()
-            return "line", (self._statement(),)
+            self._begin("IF of one line", head, (), "")
+            statement = self._statement()
+            self._open.pop()
+            return "line", (statement,)
         self._at = at
         self._begin("IF", head, (Word.ELSE, Word.ENDIF), "ENDIF")
         block = self._block()

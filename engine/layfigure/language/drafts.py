@@ -67,7 +67,7 @@ class Draft:
             rows = {joint: [row[number] for number in sorted(row)] for joint, row in self.keys.items()}
             for joint, row in rows.items():
                 check_ascending(joint, row)
-                meter.step(row[-1].place, len(row))
+                meter.work("new keys", len(row), row[-1].place)
             self._motion = Motion.of({joint: [key.key for key in row] for joint, row in rows.items()})
         return self._motion
 

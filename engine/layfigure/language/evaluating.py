@@ -167,14 +167,14 @@ class Evaluator:
             if joint not in motion.tracks:
                 known = ", ".join(motion.joints[:12]) or "none at all"
                 raise operand.place.error(f"this motion does not move joint {joint}; it moves {known}")
-        self.meter.step(node.place, motion.key_count)
+        self.meter.work("keys", motion.key_count, node.place)
         return motion.strip(*kept)
 
     def _synchronize(self, node: syntax.Synchronize) -> Motion:
         motions = [self.motion(operand, "what is synchronized") for operand in _operands(node)]
         keys = sum(motion.key_count for motion in motions)
         self.meter.keys(keys, node.place)
-        self.meter.step(node.place, keys)
+        self.meter.work("keys", keys, node.place)
         with blamed(node.place):
             return synchronize(*motions)
 

@@ -83,7 +83,7 @@ class Executor:
     def _shown(self, node: syntax.Expression) -> str:
         value = self.evaluator.value(node)
         if isinstance(value, Motion):
-            self.run.meter.step(node.place, value.key_count)
+            self.run.meter.work("keys", value.key_count, node.place)
         with blamed(node.place):
             return shown(value)
 

@@ -72,7 +72,7 @@ class Arguments:
         """Return an argument that must be a motion; work on it is counted by its keys."""
         value = self._of(index, Motion, values.KINDS["motion"])
         assert isinstance(value, Motion)
-        self.meter.step(self.place, value.key_count)
+        self.meter.work("keys", value.key_count, self.place)
         return value
 
     def model(self, index: int) -> Model:
@@ -96,7 +96,6 @@ class Arguments:
     def result(self, motion: Motion) -> Motion:
         """Return a motion that is the result, counted by its keys."""
         self.meter.keys(motion.key_count, self.place)
-        self.meter.step(self.place, motion.key_count)
         return motion
 
     def _of(self, index: int, kind: type, word: str) -> object:

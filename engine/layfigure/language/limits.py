@@ -8,6 +8,9 @@ from fractions import Fraction
 
 from layfigure.language.places import Place
 
+WORK = {"keys": 5, "new keys": 10, "volumes": 30, "links": 10}
+"""Steps that one thing stands for: a key that is moved, one that is made or set in motion, a volume, a link."""
+
 _COUNTED = {
     "loads": "loads and saves more than {} files",
     "bytes": "loads and saves more than {} bytes",
@@ -61,6 +64,14 @@ class Meter:
         if self.steps > self.limits.steps:
             most = self.limits.steps
             raise place.error(f"the script takes more than {most} steps; is a loop endless? {raised('steps')}")
+
+    def work(self, what: str, number: int, place: Place) -> None:
+        """Count work on many things of a kind by the steps that each stands for.
+
+        Raises:
+            SourceError: the steps are more than allowed.
+        """
+        self.step(place, number * WORK[what])
 
     def count(self, what: str, number: int, place: Place) -> None:
         """Count pictures, actors, volumes, files or bytes.

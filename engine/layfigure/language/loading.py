@@ -47,7 +47,7 @@ def load(executor: Executor, node: syntax.Load) -> None:
         value = _value(executor, what, path)
     if isinstance(value, Motion):
         executor.run.meter.keys(value.key_count, node.what.place)
-        executor.run.meter.step(node.place, value.key_count)
+        executor.run.meter.work("keys", value.key_count, node.place)
     executor.scope.set(node.name or _name_of(path, node.what.place), value)
 
 

@@ -54,7 +54,8 @@ def joining_of(evaluator: Evaluator, node: syntax.JointOf) -> Joining:
         raise node.place.error(message)
     points = [evaluator.vector(point, 3, "where a joint lies") for point in (primary_point, secondary_point)]
     limits = [evaluator.vector(item, 2, f"the {axis} range") for axis, item in zip("xyz", ranges, strict=False)]
-    evaluator.meter.step(node.place, sum(len(part.nodes) for part in parts if isinstance(part, Model)))
+    links = sum(len(part.nodes) for part in parts if isinstance(part, Model))
+    evaluator.meter.work("links", links, node.place)
     with blamed(node.place):
         turns = dict(zip("xyz", limits, strict=False))
         return joint(identifier, parts[0], points[0], parts[1], points[1], **turns)

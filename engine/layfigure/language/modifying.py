@@ -43,11 +43,12 @@ def modified(evaluator: Evaluator, node: syntax.Modified) -> object:
 
 def _charge(evaluator: Evaluator, value: object, modifier: syntax.Modifier) -> None:
     if isinstance(value, Motion):
-        evaluator.meter.step(modifier.place, value.key_count)
+        evaluator.meter.work("keys", value.key_count, modifier.place)
     elif isinstance(value, Shape):
+        evaluator.meter.work("volumes", len(value.volumes), modifier.place)
         evaluator.meter.count("volumes", len(value.volumes), modifier.place)
     elif isinstance(value, Model):
-        evaluator.meter.step(modifier.place, len(value.nodes))
+        evaluator.meter.work("links", len(value.nodes), modifier.place)
 
 
 def _turned(evaluator: Evaluator, value: Shape | Image, node: syntax.Expression) -> Shape | Image:

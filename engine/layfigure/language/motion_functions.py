@@ -36,7 +36,7 @@ def _baked(a: Arguments, *motions: Motion) -> None:
     frames = max(math.ceil(motion.duration) for motion in motions) + 1
     keys = frames * len({joint for motion in motions for joint in motion.tracks})
     a.meter.keys(keys, a.place)
-    a.meter.step(a.place, keys)
+    a.meter.work("new keys", keys, a.place)
 
 
 def _crossfade(a: Arguments) -> Motion:
@@ -73,7 +73,7 @@ def _noise(a: Arguments) -> Motion:
     if period > 0:
         keys = (math.ceil(motion.duration / period) + 2) * len(motion.tracks)
         a.meter.keys(keys, a.place)
-        a.meter.step(a.place, keys)
+        a.meter.work("new keys", keys, a.place)
     joints = [joint for joint in motion.tracks if joint not in (PLACE, ROOT_JOINT)]
     return a.result(noise(joints, motion.duration, amplitude, seed, period))
 
@@ -92,7 +92,7 @@ def _slowed(a: Arguments) -> Motion:
 
     motion, velocity = a.motion(0), a.number(1)
     acceleration = a.number(2) if len(a) > 2 else None
-    a.meter.step(a.place, 20 * motion.key_count)
+    a.meter.work("new keys", 20 * motion.key_count, a.place)
     return a.result(within_rates(motion, velocity, acceleration, curves=a.evaluator.curves))
 
 
@@ -139,7 +139,7 @@ def _through(a: Arguments) -> Motion:
         if pose.figure.name != figure.name or len(pose.figure.limbs) != len(figure.limbs):
             names = f"{figure.name} and {pose.figure.name}"
             raise a.at(2 * index + 1).error(f"these poses are of two figures, {names}; a motion leads through one's")
-    a.meter.step(a.place, len(rows) * len(figure.limbs))
+    a.meter.work("new keys", len(rows) * len(figure.limbs), a.place)
     return a.result(from_poses(figure, [(frame, pose.pose) for frame, pose in rows]))
 
 

@@ -38,7 +38,7 @@ def saving(executor: Executor, node: syntax.Save) -> Saving:
     if not run.meter.limits.outside and not _inside(path, run.folder):
         raise place.error("a script saves into its own folder and those below; --outside lets it save elsewhere")
     if isinstance(value, Motion):
-        run.meter.step(place, value.key_count)
+        run.meter.work("keys", value.key_count, place)
     with blamed(place):
         text = _text(value, path)
     run.meter.count("loads", 1, place)

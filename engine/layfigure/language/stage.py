@@ -89,7 +89,7 @@ class Stage:
             elif isinstance(value, Model):
                 self.behind.append(standing(value))
             elif isinstance(value, Shape):
-                self.run.meter.step(place, _WORK * len(value.volumes))
+                self.run.meter.work("volumes", 5 * len(value.volumes), place)
                 self.behind.append(standing(Model.of_link(Link("object", value))))
             else:
                 message = f"BACKGROUND shows graphical objects and models, but this is {values.kind_of(value)}"
@@ -142,6 +142,7 @@ class Stage:
         before = self._motions.get(id(node))
         if before is None or any(old is not new for old, new in zip(before[0], read, strict=True)):
             before = self._motions[id(node)] = (read, evaluator.motion(node, "USING"))
+            self.run.meter.work("new keys", before[1].key_count, node.place)
         return before[1]
 
     def _same(self, name: str, model: Model) -> Model:
