@@ -84,7 +84,9 @@ def test_all_solids_can_be_made_and_changed(printed):
     d :- CUBE EDGE 2, LIGHTNESS 70
     PRINT (a + b + c + d <ROTATE Z 90, TRANS (1, 0, 0)>) <SCALE 2>
     """
-    assert printed(text) == ["graphical object of 4 volumes (sphere, cylinder, cone, cube), from (-4, -2, -4) to (4, 6, 4)"]
+    assert printed(text) == [
+        "graphical object of 4 volumes (sphere, cylinder, cone, cube), from (-4, -2, -4) to (4, 6, 4)"
+    ]
 
 
 def test_keys_by_formula_and_in_a_block_make_one_motion(motion):
@@ -93,9 +95,9 @@ def test_keys_by_formula_and_in_a_block_make_one_motion(motion):
 
 
 def test_key_zero_stands_at_frame_zero_whatever_is_asked(motion):
-    assert motion("m[1, 0] = FRAME 7 POSITION 1, 2, 3 INTERPOLATE linear\nm[1, 1] = FRAME 9 POSITION 0, 0, 0") == motion(
-        "m[1, 0] = FRAME 0 POSITION (1, 2, 3)\nm[1, 1] = FRAME 9 POSITION (0, 0, 0)"
-    )
+    assert motion(
+        "m[1, 0] = FRAME 7 POSITION 1, 2, 3 INTERPOLATE linear\nm[1, 1] = FRAME 9 POSITION 0, 0, 0"
+    ) == motion("m[1, 0] = FRAME 0 POSITION (1, 2, 3)\nm[1, 1] = FRAME 9 POSITION (0, 0, 0)")
 
 
 def test_the_algebra_reads_as_it_is_written(motion):

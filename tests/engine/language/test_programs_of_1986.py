@@ -55,7 +55,9 @@ def test_both_squats_are_the_same_movement_seen_from_two_links(scripts):
 
 def hand(path_or_scene, name: str) -> np.ndarray:
     """Return the angles (f,) of a hand of the clock in every picture."""
-    return np.array([picture.actors[0].angles[picture.actors[0].figure.index(name), 2] for picture in path_or_scene.pictures])
+    return np.array(
+        [picture.actors[0].angles[picture.actors[0].figure.index(name), 2] for picture in path_or_scene.pictures]
+    )
 
 
 def test_the_hands_run_two_hours_in_two_minutes_of_film(scripts):

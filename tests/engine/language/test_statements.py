@@ -81,7 +81,13 @@ def test_loops_count_up_and_down_and_by_fractions(printed):
 
 
 def test_one_continue_closes_all_loops_of_its_label(printed):
-    assert printed("DO 10 i = 1,2\nDO 10 j = 1,2\nPRINT i, j\n10 CONTINUE\nPRINT 9") == ["1 1", "1 2", "2 1", "2 2", "9"]
+    assert printed("DO 10 i = 1,2\nDO 10 j = 1,2\nPRINT i, j\n10 CONTINUE\nPRINT 9") == [
+        "1 1",
+        "1 2",
+        "2 1",
+        "2 2",
+        "9",
+    ]
 
 
 def test_while_runs_as_long_as_its_condition_holds(printed):
