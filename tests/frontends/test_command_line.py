@@ -158,6 +158,18 @@ def test_a_pose_comes_to_life_as_a_set_that_is_right_and_can_be_drawn(tmp_path):
     assert sheet.returncode == 0 and "a contact sheet of 4 pictures" in sheet.stderr
 
 
+def test_breathing_is_written_as_a_motion_that_loops_and_opens_with_its_figure(tmp_path):
+    from layfigure.motions.motion_file import load_motion
+
+    done = layfigure("breathe", "horse", "-o", "life.motion", "--variants", "3", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "life.motion\n"), done.stderr
+    found = load_motion(tmp_path / "life.motion")
+    assert (found.figure, found.motion.duration) == ("horse", 48)
+    assert found.motion.at(0) == found.motion.at(48)
+    done = layfigure("--frontend", "headless", "life.motion", folder=tmp_path)
+    assert done.returncode == 0 and (tmp_path / "layfigure-horse-1.pose").exists(), done.stderr
+
+
 def test_a_loop_of_a_breathing_pose_moves_and_comes_back(tmp_path):
     sitting = str(ROOT / "data" / "targets" / "sitting.pose")
     done = layfigure("breathe", sitting, "-o", "life.gif", "--variants", "2", "--size", "64", folder=tmp_path)

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 
+from layfigure.plugins.host import Host
 from layfigure.session import journal
 from layfigure.session.document import Document
 from layfigure.session.events import KeyEvent
@@ -52,6 +53,22 @@ def test_after_kill_9_the_next_start_offers_the_session_and_y_brings_it_back(ses
     session.run("redo")
     assert "nothing to redo" in session.status or session.history.done
     assert journal.orphans() == []
+    recovery.close()
+
+
+def test_motions_and_where_one_stood_in_them_survive_too(session):
+    lost = Session(Host.discover(), Document.new(session.document.figure), SessionOptions(compiled=False))
+    first = Recovery(lost)
+    for line in ("open walk", "frame-at 7", "set neck 20 0 0", "key", "stretch 2", "undo", "frame-at 3"):
+        lost.execute(line)
+    lost.on_closed = first.close
+    lost.close(interrupted=True)
+    recovery = Recovery(session)
+    recovery.offer()
+    session.handle(KeyEvent("y", "y"))
+    restored, document = session.document, lost.document
+    assert (restored.motion, restored.pose, restored.playhead) == (document.motion, document.pose, 3)
+    assert len(session.history.done) == len(lost.history.done)
     recovery.close()
 
 

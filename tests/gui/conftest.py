@@ -107,6 +107,12 @@ class Desk:
             with self._shown():
                 self._tool("xdotool", "key", name)
 
+    def press(self, name: str) -> None:
+        """Press a key and wait for some frames, while more may follow."""
+        before = self._told()[0]
+        self._tool("xdotool", "key", name)
+        waited("frames that answer", lambda: self._told()[0] > before + 3, 10)
+
     def type(self, text: str) -> None:
         """Type a text."""
         with self._shown():

@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+from layfigure.motions.motion_file import load_motion
 from layfigure.poses.locks import broken
 from layfigure.poses.pose_file import load_pose
 from layfigure.session.log import load_log
@@ -184,3 +185,29 @@ def test_a_closed_terminal_keeps_the_work_for_the_next_start(terminal):
 
     (left,) = journal.orphans()
     assert "best 4" in journal.read(left)
+
+
+@pytest.mark.parametrize("terminal", [(160, 50), (80, 24)], indirect=True)
+def test_a_person_opens_plays_stops_keys_and_saves_a_motion(terminal):
+    terminal.start("--no-restore")
+    terminal.keys("C-o")
+    terminal.shows("│ Open:")
+    terminal.type("walk", "Enter")
+    terminal.logged("motion ")
+    terminal.shows("0 / 28")
+    terminal.keys("Space")
+    terminal.shows("Pause")
+    terminal.shows("7 / 28", "12 / 28", "17 / 28", "22 / 28")
+    terminal.keys("Escape")
+    terminal.shows("Back at frame 0")
+    terminal.shows(" 0 / 28")
+    terminal.keys("}", ")", ")")
+    terminal.logged("frame-at 3")
+    terminal.keys("Tab", "C-Up", "K")
+    terminal.logged("key 3 ")
+    terminal.keys("C-s")
+    terminal.shows("Saved humanoid-1.motion")
+    saved = load_motion(terminal.file("humanoid-1.motion"))
+    assert replayed(terminal).document.motion == saved.motion
+    terminal.keys("C-q")
+    terminal.shell_works()

@@ -19,7 +19,7 @@ MOST_WORDS = 3 * MAXIMUM_MOTION_BYTES // LONGEST_WORD
 def motion_lines(motion: Motion, rate: Fraction) -> tuple[str, ...]:
     """Return the command lines that give a document this motion, as they stand in a log."""
     *parts, last = pack_motion(motion, rate)
-    return (*(f"motion-part {part}" for part in parts), f"motion {last}")
+    return (*(f"motion-part {part}" for part in parts), f"motion {len(parts)} {last}")
 
 
 def pack_motion(motion: Motion, rate: Fraction) -> tuple[str, ...]:

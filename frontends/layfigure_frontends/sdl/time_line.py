@@ -16,6 +16,7 @@ OVERSAMPLING = 4
 HALF_KEY = 5.5  # layout units
 TRACK = 4
 NUMBERS = 15
+POLE, TIP = 20, 6  # of a mark's flag
 EDGE = 5  # how far the groove goes beyond the first frame and the last
 
 
@@ -49,31 +50,39 @@ def _groove(canvas: Canvas, line: TimeLine, middle: int) -> None:
 
 
 def _numbers(canvas: Canvas, line: TimeLine, middle: int) -> None:
-    """Frame numbers with a tick below each; none under the playhead, which has its own."""
+    """Frame numbers with a tick below each; none where the playhead's own or a mark's name stands."""
     width, top = canvas.pixels(44), line.track.y + canvas.pixels(2)
-    playhead = line.x_of(line.playhead)
+    playhead, near = line.x_of(line.playhead), canvas.pixels(14)
+    names = [_name_room(canvas, line, mark, middle) for mark in line.marks]
     for frame in range(0, int(line.last) + 1, line.every):
         x = round(line.x_of(frame))
         canvas.surface.fill(canvas.theme.border, (x, middle - canvas.pixels(8), 1, canvas.pixels(16)))
-        if abs(x - playhead) > canvas.pixels(30):
+        named = any(name.x - near < x < name.x + name.width + near for name in names)
+        if not named and abs(x - playhead) > canvas.pixels(30):
             room = _within(line, Rectangle(x - width // 2, top, width, canvas.pixels(NUMBERS)), canvas.pixels(EDGE))
             align = "centre" if room.x == x - width // 2 else "right"
             canvas.text(room, str(frame), SMALL, canvas.theme.faint, align)
 
 
 def _flag(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) -> None:
-    """A mark: a pole with its name beside, where there is room above the keys."""
-    frame, name = mark
-    x, colour = round(line.x_of(frame)), canvas.theme.warning
-    high = canvas.pixels(NUMBERS if line.every else 8)
+    """A mark: a pole with a flag, and its name beside where there are numbers."""
+    x, colour = round(line.x_of(mark[0])), canvas.theme.warning
+    high = canvas.pixels(POLE if line.every else 8)
     canvas.surface.fill(colour, (x, middle - high, max(canvas.pixels(1.5), 1), high))
-    tip, side = canvas.pixels(6), canvas.pixels(5)
-    pygame.draw.polygon(
-        canvas.surface, colour, [(x, middle - high), (x + tip, middle - high + side // 2), (x, middle - high + side)]
-    )
+    tip, side = canvas.pixels(TIP), canvas.pixels(5)
+    flag = [(x, middle - high), (x + tip, middle - high + side // 2), (x, middle - high + side)]
+    pygame.draw.polygon(canvas.surface, colour, flag)
     if line.every:
-        room = Rectangle(x + tip + canvas.pixels(2), middle - high - canvas.pixels(3), canvas.pixels(60), high)
-        canvas.text(room, name, SMALL, canvas.theme.muted)
+        canvas.text(_name_room(canvas, line, mark, middle), mark[1], SMALL, canvas.theme.muted)
+
+
+def _name_room(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) -> Rectangle:
+    """Return where the name of a mark is written: right of its flag, up to the next one's."""
+    left = round(line.x_of(mark[0])) + canvas.pixels(TIP + 2)
+    following = [round(line.x_of(frame)) for frame, _ in line.marks if frame > mark[0]]
+    end = min([*following, line.track.x + line.track.width + canvas.pixels(EDGE)])
+    width = min(canvas.width(mark[1], SMALL), max(end - left - canvas.pixels(4), 0))
+    return Rectangle(left, middle - canvas.pixels(POLE + 5), width, canvas.pixels(NUMBERS))
 
 
 def _playhead(canvas: Canvas, line: TimeLine, middle: int) -> None:

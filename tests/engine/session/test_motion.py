@@ -164,7 +164,8 @@ def test_reversed_the_playhead_stays_on_the_same_pose(moving):
 
 
 @pytest.mark.parametrize("line", ["frame-at -1", "frame-at x", "frame-at 1e30", "stretch 0", "speed 0", "onion -3",
-                                  "interpolation wobbly", "key 3 nobody", "motion AAAA", "rate -2"])  # fmt: skip
+                                  "interpolation wobbly", "key 3 nobody", "motion 0 AAAA", "motion 2 AAAA",
+                                  "rate -2"])  # fmt: skip
 def test_wrong_words_are_named(moving, line):
     before = moving.document
     with pytest.raises(WordError):
@@ -462,6 +463,12 @@ def test_a_large_motion_is_logged_in_several_lines_none_too_long(session, tmp_pa
     parts = [line for line in session.log if line.startswith("motion")]
     assert len(parts) > 2 and max(map(len, parts)) < 20_000
     assert replayed(session).document.motion == motion == session.document.motion
+
+
+def test_parts_of_a_motion_that_was_cut_short_do_no_harm_to_the_next(session):
+    session.execute("motion-part AAAA")
+    session.execute("open walk")
+    assert replayed(session).document.motion == session.document.motion
 
 
 def test_a_motion_brings_its_figure(session, tmp_path):

@@ -39,6 +39,22 @@ def test_each_command_is_answered_by_its_status_and_by_how_the_pose_changed(tmp_
     ]
 
 
+def test_a_motion_is_gone_through_and_keyed_in_words(tmp_path):
+    lines = ["open squat", "frame-at 6", "next-key", "set neck 20 0 0", "key", "key-remove", "list motion", "play",
+             "save mine", "open mine.motion"]  # fmt: skip
+    status, out, errors = plain(lines, tmp_path)
+    said = out.splitlines()
+    assert said[0].startswith("Opened squat: A motion of ")
+    assert any(line.startswith("Frame 6 of ") and "keys beside it: " in line for line in said)
+    assert any(line.startswith("Frame ") and ", a key of " in line for line in said)
+    assert any(line.startswith("Key of all joints at frame ") for line in said)
+    assert any(line.startswith("Removed the key of all joints at frame ") for line in said)
+    rows = [line for line in said[said.index("Motion:") + 1 :] if line.startswith("Frame ")]
+    assert len(rows) >= 2 and rows[0].startswith("Frame 0: all joints")
+    assert "Saved mine.motion." in said and said[-2].startswith("Opened mine.motion")
+    assert status == 0 and errors.startswith("Nothing plays here; frame-at, step and next-key go through the motion.")
+
+
 def test_describe_and_candidates_are_said_in_sentences(tmp_path):
     status, out, _ = plain(["set spine -20 0 0", "describe", "candidates", "describe 3"], tmp_path)
     lines = out.splitlines()

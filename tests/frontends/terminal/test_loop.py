@@ -103,6 +103,26 @@ def test_copied_text_goes_to_the_clipboard_of_the_terminal(session):
     assert b"\x1b]52;c;" + base64.b64encode(session.clipboard.encode()) in terminal.written
 
 
+def test_a_motion_plays_by_the_clock_and_the_loop_asks_to_be_woken_in_time(session, monkeypatch):
+    clock, waits = [100.0], []
+    monkeypatch.setattr(loop.time, "monotonic", lambda: clock[0])
+
+    class Clocked(Listed):
+        def wait(self, seconds):
+            waits.append(seconds)
+            clock[0] += 0.5 if seconds is None else seconds
+            return super().wait(seconds)
+
+    for line in ("key", "frame-at 24", "set rightforearm 90", "key", "frame-at 0"):
+        session.execute(line)
+    terminal = Clocked(Arrival(), b" ", *[Arrival()] * 40, b" ", *[Arrival()] * 8)
+    run(lambda: session, TerminalOptions(), terminal)
+    assert 2 <= session.document.playhead < 48 and session.log[-1] == f"frame-at {session.document.playhead}"
+    playing = [seconds for seconds in waits[3:40] if seconds is not None]
+    assert len(playing) > 30 and max(playing) <= 1 / 24 + 1e-6
+    assert waits[-1] is None, "afterwards it sleeps until something comes"
+
+
 def test_at_rest_nothing_is_written(session, host):
     other = Session(host, Document.new(session.document.figure), session.options)
     few, many = (worked(session_, *[Arrival()] * n)[1].written for session_, n in ((session, 1), (other, 50)))

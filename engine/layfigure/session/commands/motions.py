@@ -211,23 +211,25 @@ def _part(session: Session, words: tuple[str, ...]) -> None:
 
     part = required(words, 0, "a part of a packed motion")
     no_more(words, 1)
-    if len(session.playback.parts) >= MOST_WORDS:
-        session.playback.parts.clear()
-        raise ImpossibleError("the packed motion has more parts than any motion")
     session.playback.parts.append(part)
+    del session.playback.parts[:-MOST_WORDS]
 
 
 def _motion(session: Session, words: tuple[str, ...]) -> None:
-    from layfigure.session.motion_packing import unpack_motion
+    from layfigure.session.motion_packing import MOST_WORDS, unpack_motion
 
-    last = required(words, 0, "a packed motion")
-    no_more(words, 1)
-    parts = [*session.playback.parts, last]
-    session.playback.parts.clear()
+    count = whole_number(words, 0, "a number of parts that came before", (0, MOST_WORDS))
+    last = required(words, 1, "a packed motion")
+    no_more(words, 2)
+    came = session.playback.parts
+    if count > len(came):
+        raise WordError(1, f"{count} parts of the motion were to come before this line, but {len(came)} did")
+    parts = [*came[len(came) - count :], last]
+    came.clear()
     try:
         found = unpack_motion(parts)
     except LayfigureError as error:
-        raise WordError(1, str(error)) from None
+        raise WordError(2, str(error)) from None
     document = replace(session.document, motion=found.motion, rate=found.rate, playhead=Fraction(0))
     _show(session, "open a motion", document)
     unknown = [joint for joint in found.motion.tracks if joint != PLACE and joint not in _known(session)]
@@ -265,5 +267,5 @@ COMMANDS = (
     Command("stretch", "Make the motion last longer, or shorter", _stretch, "FACTOR", logged=True),
     Command("rate", "Say how many frames are a second", _rate, "FRAMES", logged=True),
     Command("motion-part", "Take a part of a packed motion", _part, "PACKED", logged=True),
-    Command("motion", "Set the motion from its packed form", _motion, "PACKED", logged=True),
+    Command("motion", "Set the motion from its packed form", _motion, "PARTS PACKED", logged=True),
 )
