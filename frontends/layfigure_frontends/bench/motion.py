@@ -18,7 +18,7 @@ def rows(quick: bool) -> list[Row]:
 
 
 def _sampled(repeats: int) -> list[Row]:
-    """Return the rows of a minute of the humanoid, every joint with ten keys a second, beyond its limits now and then."""
+    """Return the rows of a minute of the humanoid, ten keys a second for every joint, some beyond its limits."""
     figure = scenes.humanoid()
     motion, times = _restless(), frame_times(_restless(), FPS)
     work = f"{SECONDS} s of the humanoid, {len(motion.joints)} joints, {KEYS} keys a second"

@@ -133,14 +133,9 @@ def test_noise_is_the_same_for_the_same_seed_stays_within_its_size_and_loops():
     assert noise([5], 100, (2, 3, 0), seed=4) == shaken.strip(5) and shaken.loop().jump == 0
     found = np.array([shaken.at(frame)["5"] for frame in range(101)])
     assert (np.abs(found).max(axis=0) <= [2, 3, 0]).all() and (np.abs(found).max(axis=0) > [1, 1.5, -1]).all()
-    for wrong in (
-        dict(duration=0),
-        dict(duration=9, period=0),
-        dict(duration=9, amplitude=(1, 2)),
-        dict(duration=9**7),
-    ):
+    for duration, amplitude, period in ((0, 2, 12), (9, 2, 0), (9, (1, 2), 12), (9**7, 2, "1/100")):
         with pytest.raises(LayfigureError):
-            noise([5], **{"period": "1/100", **wrong})
+            noise([5], duration, amplitude, period=period)
 
 
 def test_rates_are_the_largest_anywhere():
