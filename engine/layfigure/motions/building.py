@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ Triple = Sequence[Rational]
 JointKeys = Iterable[tuple[Rational, Triple] | tuple[Rational, Triple, str]]
 
 
-def motion_of(joints: Mapping[object, JointKeys], duration: Rational | None = None) -> Motion:
+def motion_of(joints: Mapping[Any, JointKeys], duration: Rational | None = None) -> Motion:
     """Return a motion from keys by joint; see :meth:`layfigure.motions.motion.Motion.of`.
 
     Raises:

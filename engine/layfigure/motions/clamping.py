@@ -82,7 +82,8 @@ def clamp_samples(
     over = values - kept
     sizes = np.abs(over)
     worst = np.unravel_index(int(sizes.argmax()), sizes.shape)
-    count = int((sizes > _NOTHING).any(axis=2).sum())
+    beyond = sizes > _NOTHING
+    count = int(np.count_nonzero(beyond[..., 0] | beyond[..., 1] | beyond[..., 2]))
     samples = values.shape[0] * values.shape[1]
     if not count:
         return kept, ClampReport(0, samples)

@@ -26,12 +26,12 @@ class Row:
     """One joint's pieces in order of time; p pieces.
 
     Piece 0 lasts until the first span begins; its values are NaN, the joint being where it was. ``table`` holds, for
-    each piece and component, the coefficients c0 to c3, and the bounds that rounding must not step over. Where
-    ``ease`` is not -1, a piece's u is the progress of that ease over ``frames``.
+    each piece and component, the coefficients c0 to c3, and the bounds that rounding must not step over; what is looked
+    up at once lies together. Where ``ease`` is not -1, a piece's u is the progress of that ease over ``frames``.
     """
 
     begins: Floats  # (p,) frames
-    table: Floats  # (p, 6, 3)
+    table: Floats  # (6, p, 3)
     frames: Floats  # (p,)
     ease: NDArray[np.int64]  # (p,)
     seams: frozenset[float]  # where spans begin
@@ -57,10 +57,13 @@ class Compiled:
         u = times - row.begins[piece]
         u[piece == 0] = 0.0
         self._ease(row, piece, u)
-        c = row.table[piece]
-        u = u[:, None]
-        values = c[:, 0] + u * (c[:, 1] + u * (c[:, 2] + u * c[:, 3]))
-        return np.asarray(np.minimum(np.maximum(values, c[:, 4], out=values), c[:, 5], out=values))
+        table, u = row.table, u[:, None]
+        values = table[3].take(piece, axis=0)
+        for coefficients in table[2::-1]:
+            values *= u
+            values += coefficients.take(piece, axis=0)
+        np.maximum(values, table[4].take(piece, axis=0), out=values)
+        return np.asarray(np.minimum(values, table[5].take(piece, axis=0), out=values))
 
     def _ease(self, row: Row, piece: NDArray[np.int64], u: Floats) -> None:
         """Put the progress of eases in the place of frames, in place."""
@@ -104,7 +107,8 @@ def _row(spans: Sequence[Span], curves: Curves, eases: Sequence[Interpolation]) 
     for alike, group in _groups(spans):
         blocks += [_monotone(group)] if alike else [_stretch(span, curves, eases) for span in group]
     parts = [np.concatenate(part) for part in zip(*blocks, strict=True)]
-    return Row(parts[0], parts[1], parts[2], parts[3], frozenset(float(span.begin) for span in spans))
+    table = np.ascontiguousarray(np.swapaxes(parts[1], 0, 1))
+    return Row(parts[0], table, parts[2], parts[3], frozenset(float(span.begin) for span in spans))
 
 
 def _groups(spans: Sequence[Span]) -> Iterator[tuple[bool, list[Span]]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from layfigure.errors import LayfigureError
 from layfigure.motions.keys import PLACE, Mark, Span, Tracks, Values, held, in_order, joint_id, joint_ids
@@ -76,7 +76,7 @@ class Motion:
             raise LayfigureError("a motion of no length has no marks; give it a duration")
 
     @staticmethod
-    def of(joints: Mapping[object, JointKeys], duration: Rational | None = None) -> Motion:
+    def of(joints: Mapping[Any, JointKeys], duration: Rational | None = None) -> Motion:
         """Return a motion from keys by joint: ``{"5": [(0, (0, 0, 0)), (12, (0, 0, 90), "accelerate")]}``.
 
         A key is (frame, (x, y, z)) or (frame, (x, y, z), interpolation). A joint whose first key comes after frame 0

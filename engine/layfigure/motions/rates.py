@@ -56,7 +56,7 @@ def _peaks(ready: Compiled, joint: str) -> tuple[Floats, Floats, Floats]:
     row = ready.rows[joint]
     table = np.nan_to_num(row.table, posinf=0.0, neginf=0.0)
     h = np.append(np.diff(row.begins), 0.0)
-    c1, c2, c3 = table[:, 1], table[:, 2], table[:, 3]
+    c1, c2, c3 = table[1:4]
     ends = h[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         turn = np.nan_to_num(-c2 / (3 * c3), posinf=0.0, neginf=0.0)

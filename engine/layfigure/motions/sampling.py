@@ -169,14 +169,16 @@ def _angles(
     column = 0
     for joint in driven:
         moved = _values(ready, joint, moments)
+        silent = np.isnan(moved[:, 0])
         for limb in known[joint]:
-            values[:, column] = np.where(np.isnan(moved), start.angles[limb], moved)
+            values[:, column] = moved
+            values[silent, column] = start.angles[limb]
             column += 1
     report = ClampReport()
     if clamp:
         values, report = clamp_samples(figure, limbs, values, moments.shown)
+    _into_domain(values, limbs, figure.arrays.euler[limbs])
     angles[:, limbs] = values
-    _into_domain(angles, limbs[~figure.arrays.euler[limbs]])
     return angles, report, unknown
 
 
@@ -185,18 +187,20 @@ def _values(ready: Compiled, joint: str, moments: _Moments) -> Floats:
     values = ready.evaluate(joint, moments.times, moments.earlier)
     if moments.rounds.any():
         silent = np.isnan(values[:, 0]) & (moments.rounds > 0)
-        values[silent] = ready.rows[joint].table[-1, 0]
+        values[silent] = ready.rows[joint].table[0, -1]
     return values
 
 
-def _into_domain(angles: Floats, limbs: NDArray[np.int64]) -> None:
-    """Bring swings into the domain |flexion| + |pivot| <= 180 in place, along the line to rest (posing.md 1).
+def _into_domain(values: Floats, limbs: NDArray[np.int64], axes: NDArray[np.bool_]) -> None:
+    """Bring swings of values (f, j, 3) into the domain |flexion| + |pivot| <= 180 in place, along the line to rest.
 
-    A root that only flexes, or only pivots, turns over instead: a somersault goes on through 180 degrees.
+    A root that only flexes, or only pivots, turns over instead: a somersault goes on through 180 degrees. Joints that
+    turn about ``axes`` have no swing (posing.md 1).
     """
-    for limb in limbs[np.abs(angles[:, limbs, :2]).sum(axis=2).max(axis=0) > 180.0].tolist():
-        swing = angles[:, limb, :2]
-        if limb == 0:
+    beyond = (np.abs(values[..., 0]) + np.abs(values[..., 1]) > 180.0).any(axis=0) & ~axes
+    for column in np.flatnonzero(beyond).tolist():
+        swing = values[:, column, :2]
+        if limbs[column] == 0:
             alone = (swing == 0.0).any(axis=1)
             swing[alone] = 180.0 - np.mod(180.0 - swing[alone], 360.0)
         total = np.abs(swing).sum(axis=1, keepdims=True)
