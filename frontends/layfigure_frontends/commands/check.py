@@ -72,8 +72,9 @@ def _motion_verdict(path: Path) -> str:
     from layfigure.motions.numbers import written
 
     motion = load_motion(path).motion
-    keys = f"{motion.key_count} key{'s' * (motion.key_count != 1)}"
-    return f"right; {written(motion.duration)} frames, {len(motion.tracks)} joints, {keys}"
+    joints, keys = len(motion.tracks), motion.key_count
+    counts = f"{joints} joint{'s' * (joints != 1)}, {keys} key{'s' * (keys != 1)}"
+    return f"right; {written(motion.duration)} frames, {counts}"
 
 
 def _script_verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:

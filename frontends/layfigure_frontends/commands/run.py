@@ -12,12 +12,12 @@ from layfigure_frontends.script import limit_options, run
 
 
 @click.command("run")
-@click.argument("script", type=click.Path(path_type=Path), metavar="FILE.lay")
+@click.argument("source", type=click.Path(path_type=Path), metavar="FILE.lay")
 @limit_options
 @plugin_options
-def command(script: Path, limits: Limits, choice: PluginChoice) -> int:
+def command(source: Path, limits: Limits, choice: PluginChoice) -> int:
     """Run a script: show what it prints, write what it saves. layfigure render draws its scenes."""
-    programme = run(script, limits, choice)
+    programme = run(source, limits, choice)
     for text in programme.printed:
         click.echo(text)
     for warning in programme.warnings:

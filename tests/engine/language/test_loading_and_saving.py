@@ -94,7 +94,7 @@ def test_what_cannot_be_loaded_or_saved_is_told(run, text, says):
 
 def test_a_file_whose_name_is_no_name_asks_for_one(run, tmp_path):
     (tmp_path / "1.motion").write_text("layfigure motion 1\nduration 3\n")
-    with pytest.raises(SourceError, match='LOAD "1.motion" AS name'):
+    with pytest.raises(SourceError, match=r'LOAD "1\.motion" AS name'):
         run('LOAD "1.motion"')
     assert run('LOAD "1.motion" AS one\nPRINT duration(one)').printed == ("3",)
 

@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from layfigure.errors import SourceError
-from layfigure.language.limits import Limits, Meter
 from layfigure.language.evaluating import Evaluator
+from layfigure.language.limits import Limits, Meter
 from layfigure.language.parsing import parse_script
 from layfigure.language.scope import Scope
 
