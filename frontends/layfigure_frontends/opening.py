@@ -12,6 +12,7 @@ import click
 
 if TYPE_CHECKING:
     from layfigure.configuration import Configuration
+    from layfigure.plugins.discovery import Selection
     from layfigure.plugins.host import Host
     from layfigure.session.session import Session, SessionOptions
 
@@ -56,14 +57,19 @@ plugin_options = as_record(
 )
 
 
-def open_host(choice: PluginChoice) -> Host:
-    """Return a host with the chosen plug-ins."""
+def selection_of(choice: PluginChoice) -> Selection:
+    """Return which plug-ins the choice lets in, those of the user's own folder among them."""
     from layfigure import places
     from layfigure.plugins.discovery import Selection
+
+    return Selection(choice.files, places.config() / "plugins", frozenset(choice.without), choice.safe)
+
+
+def open_host(choice: PluginChoice) -> Host:
+    """Return a host with the chosen plug-ins."""
     from layfigure.plugins.host import Host
 
-    folder = places.config() / "plugins"
-    return Host.discover(Selection(choice.files, folder, frozenset(choice.without), choice.safe))
+    return Host.discover(selection_of(choice))
 
 
 def session_options(host: Host, configuration: Configuration, frontend: str) -> SessionOptions:

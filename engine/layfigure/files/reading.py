@@ -3,11 +3,26 @@
 from __future__ import annotations
 
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 
 from layfigure.errors import FileError, SourceError
 
 MAXIMUM_BYTES = 4 * 1024 * 1024
+_NOTED: ContextVar[list[Path] | None] = ContextVar("noted", default=None)
+
+
+@contextmanager
+def reads_noted() -> Iterator[list[Path]]:
+    """Collect the paths that :func:`read_text` is asked for meanwhile: what a result hangs on."""
+    paths: list[Path] = []
+    token = _NOTED.set(paths)
+    try:
+        yield paths
+    finally:
+        _NOTED.reset(token)
 
 
 def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
@@ -17,6 +32,9 @@ def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
         FileError: it is missing, a folder, not a regular file, unreadable, or too large.
         SourceError: it is not UTF-8; line and column say where.
     """
+    noted = _NOTED.get()
+    if noted is not None:
+        noted.append(path)
     try:
         mode = path.stat().st_mode
         if stat.S_ISDIR(mode):

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 import click
 
+from layfigure.language.limits import Limits
 from layfigure_frontends.film.choice import FilmChoice, read_part, read_rate, read_size
 from layfigure_frontends.opening import PluginChoice, as_record, plugin_options
+from layfigure_frontends.script import limit_options
 
 if TYPE_CHECKING:
-    from layfigure_frontends.film.reel import Film
+    pass
 
 _PATH = click.Path(path_type=Path)
 
@@ -51,8 +53,9 @@ film_options = as_record(
 @click.argument("source", type=_PATH, metavar="FILE")
 @click.option("-o", "--output", type=_PATH, help="What to write; its name says how.")
 @film_options
+@limit_options
 @plugin_options
-def command(source: Path, output: Path | None, film: FilmChoice, choice: PluginChoice) -> int:
+def command(source: Path, output: Path | None, film: FilmChoice, limits: Limits, choice: PluginChoice) -> int:
     """Draw FILE: a .lay script, a .motion, a .pose, a set of .poses, or what a session's .log ends at.
 
     \b
@@ -62,32 +65,23 @@ def command(source: Path, output: Path | None, film: FilmChoice, choice: PluginC
       picture.png                    the only picture, else a contact sheet
       a folder                       a picture of every pose of a set
     """
+    from layfigure import places
     from layfigure.errors import LayfigureError
     from layfigure_frontends.film.opening import open_film
     from layfigure_frontends.film.plan import plan
+    from layfigure_frontends.film.rendering import Request, render
     from layfigure_frontends.film.stills import draw_stills
 
-    if output is None and not film.dry_run:
+    if film.dry_run:
+        click.echo("\n".join(plan(open_film(source, output, film, choice, limits), output)))
+        return 0
+    if output is None:
         raise LayfigureError("say with -o what to write, such as -o film.mp4, or ask with --dry-run what there is")
-    if output is not None and not film.dry_run:
-        written = draw_stills(source, output, film, choice)
-        if written:
-            click.echo("\n".join(map(str, written)))
-            return 0
-    whole = open_film(source, output, film, choice)
-    if output is None or film.dry_run:
-        click.echo("\n".join(plan(whole, output)))
-    else:
-        _produce(whole, output, cached=not film.no_cache)
+    written = draw_stills(source, output, film, choice)
+    if not written:
+        request = Request(source, output, film, limits, choice)
+        made = render(request, None if film.no_cache else places.cache() / "films")
+        click.echo("".join(f"layfigure: {note}\n" for note in made.notes), err=True, nl=False)
+        written = [output]
+    click.echo("\n".join(map(str, written)))
     return 0
-
-
-def _produce(film: Film, output: Path, *, cached: bool) -> None:
-    """Write a film, and say where it is and how it fits its format."""
-    from layfigure import places
-    from layfigure_frontends.film.production import produce
-
-    made = produce(film, output, places.cache() / "films" if cached else None)
-    for note in (*film.warnings, *made.notes):
-        click.echo(f"layfigure: {note}", err=True)
-    click.echo(str(output))

@@ -9,32 +9,34 @@ from layfigure_frontends.film.choice import FilmChoice, part_of
 from layfigure_frontends.film.reel import Film
 
 if TYPE_CHECKING:
+    from layfigure.language.limits import Limits
     from layfigure_frontends.opening import PluginChoice
 
 MOTION, SCRIPT = ".motion", ".lay"
 
 
-def open_film(source: Path, output: Path | None, asked: FilmChoice, choice: PluginChoice) -> Film:
+def open_film(
+    source: Path, output: Path | None, asked: FilmChoice, choice: PluginChoice, limits: Limits | None = None
+) -> Film:
     """Return what a file holds as a film that suits an output; nothing is drawn yet.
+
+    ``limits`` are those of a script.
 
     Raises:
         LayfigureError: it cannot be opened, or what is asked for is not in it.
     """
-    return part_of(_whole(source, output, asked, choice), asked.part)
-
-
-def _whole(source: Path, output: Path | None, asked: FilmChoice, choice: PluginChoice) -> Film:
-    from layfigure_frontends.film.outputs import moves
-
     kind = source.suffix.lower()
-    if kind == MOTION:
-        from layfigure_frontends.film.sources import motions
-
-        return motions.film_of_file(source, asked, choice)
     if kind == SCRIPT:
         from layfigure_frontends.film.sources import scripts
 
-        return scripts.film_of_file(source, asked, choice)
-    from layfigure_frontends.film.sources import poses
+        film = scripts.film_of_file(source, asked, choice, limits)
+    elif kind == MOTION:
+        from layfigure_frontends.film.sources import motions
 
-    return poses.film_of_file(source, asked, choice, loop=output is None or moves(output))
+        film = motions.film_of_file(source, asked, choice)
+    else:
+        from layfigure_frontends.film.outputs import moves
+        from layfigure_frontends.film.sources import poses
+
+        film = poses.film_of_file(source, asked, choice, loop=output is None or moves(output))
+    return part_of(film, asked.part)

@@ -18,5 +18,5 @@ def plan(film: Film, output: Path | None = None) -> tuple[str, ...]:
 
     rate, seconds = plain(float(film.rate), 3), plain(float(film.seconds), 3)
     whole = f"{len(film)} picture{'s' if len(film) != 1 else ''}, {film.size}, {rate} per second: {seconds} s"
-    fit = remarks(film, output) if output is not None else ()
-    return (*film.telling, *film.warnings, whole, *fit)
+    said = remarks(film, output) if output is not None else film.warnings
+    return (*film.telling, *said, whole)
