@@ -252,7 +252,7 @@ def test_a_difference_counts_whole_turns() -> None:
     pose = Pose.rest(it).with_joint(it.index("rightarm"), 0, -20, 720)
     (change,) = difference(it, Pose.rest(it), pose).limbs
     assert [(angle.kind, angle.degrees, angle.words) for angle in change.angles] == [
-        ("y", -20, "turned back 20 degrees about y"),
+        ("y", -20, "turned -20 degrees about y"),
         ("z", 720, "turned 720 degrees about z"),
     ]
 
