@@ -6,11 +6,16 @@ from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from layfigure.drawing.camera import FRONT, RIGHT, TOP
 from layfigure.drawing.render_list import Rectangle
 from layfigure.errors import LayfigureError
+from layfigure.figures.library import read_figure
+from layfigure.kinematics.forward import place_pose
 from layfigure.poses.packing import pack_pose, unpack_pose
+from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose, save_pose
 from layfigure.session.frame import JointCircle
 from layfigure.session.joint_dials import circle_line, joint_dials, joint_sliders
@@ -104,7 +109,21 @@ def test_a_circle_stays_in_the_turn_that_its_joint_is_in(player: Player) -> None
     figure = player.session.document.figure
     dial = joint_dials(player.session.document, (figure.index("rightarm"),))[2]
     placed = replace(dial, rectangle=Rectangle(0, 0, 100, 100))
-    assert circle_line(placed, 90, 50) == "set rightarm 0 0 450"
+    assert circle_line(placed, 10, 50) == "set rightarm 0 0 450"
+    assert circle_line(placed, 90, 50) == "set rightarm 0 0 270"
+
+
+@pytest.mark.parametrize("handed", ["left", "right"])
+@pytest.mark.parametrize("limb", ["rightarm", "leftarm"])
+def test_a_circle_turns_as_the_limb_does_in_the_view_of_its_side(player: Player, handed: str, limb: str) -> None:
+    figure = read_figure("trunk", FIG.replace("axis y", f"handed {handed} axis y", 1), "trunk.fig")
+    rest, index = Pose.rest(figure), figure.index(limb)
+    document = replace(player.session.document, figure=figure, pose=rest)
+    for column, view in enumerate((RIGHT, TOP, FRONT)):
+        right, up, _ = np.array(view)
+        turned = rest.with_joint(index, *np.eye(3)[column] * 10)
+        clockwise = right @ place_pose(figure, turned).limb_to_world[index] @ up
+        assert np.sign(clockwise) == joint_dials(document, (index,))[column].sense
 
 
 def test_a_mirrored_pose_swaps_the_arms(player: Player) -> None:
