@@ -10,7 +10,8 @@ from layfigure.figures.figure import Figure, Limb
 def describe_figure(figure: Figure) -> dict[str, Any]:
     """Return counts, lengths (figure units) and joints with their limits (degrees), ready for JSON.
 
-    Joints are all limbs but the root, parents first; ``twin`` is None for a limb without a mirror twin.
+    Joints are all limbs but the root, parents first; ``id`` is what motions call them, ``twin`` is None for a limb
+    without a mirror twin.
     """
     return {
         "name": figure.name,
@@ -26,6 +27,7 @@ def describe_figure(figure: Figure) -> dict[str, Any]:
 def _describe_joint(figure: Figure, limb: Limb) -> dict[str, Any]:
     return {
         "name": limb.name,
+        "id": limb.joint_id,
         "parent": figure.names[limb.parent],
         "length": _plain(limb.length),
         "dofs": {dof.kind: [_plain(dof.low), _plain(dof.high)] for dof in limb.dofs},

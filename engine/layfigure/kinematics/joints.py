@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from layfigure.figures.definition import MAXIMUM_TURN
 from layfigure.kinematics import swing
 
 Floats = NDArray[np.float64]
@@ -85,6 +86,8 @@ def by_whole_turns(angles: Floats, near: Floats, low: Floats, high: Floats) -> F
 def committed(angles: ArrayLike, euler: Flags | None = None) -> Floats:
     """Return joint angles (n, 3) in degrees as poses hold them: canonical swings and twists, and rounded x, y, z.
 
+    Of x, y, z beyond :data:`MAXIMUM_TURN` all whole turns are taken away, so that every pose can be written.
+
     Raises:
         ValueError: an angle is not finite.
     """
@@ -94,24 +97,29 @@ def committed(angles: ArrayLike, euler: Flags | None = None) -> Floats:
     if not np.isfinite(values).all():
         raise ValueError("a joint angle is not a finite number")
     answer = swing.canonical(np.where(euler[:, None], 0.0, values))
-    answer[euler] = np.round(values[euler], swing.DECIMALS) + 0.0
+    turned = values[euler]
+    few = np.where(np.abs(turned) > MAXIMUM_TURN, np.fmod(turned, 360.0), turned)
+    answer[euler] = np.round(few, swing.DECIMALS) + 0.0
     return answer
 
 
 def _shared_out(triples: Floats, wanted: Floats, low: Floats, high: Floats) -> Floats:
     """Share out one turn between x and z where they turn about one line, y being 90 or -90 degrees.
 
-    There Rz(z) does what Rx(z) does for y = 90, and Rx(-z) for y = -90.
+    There Rz(z) does what Rx(z) does for y = 90, and Rx(-z) for y = -90; so x plus or minus z is what counts. It lies
+    within limits, by whole turns, wherever x and z can; then z is taken as near to what is wanted as x allows.
     """
     sine = np.sin(np.radians(triples[..., 1]))
     locked = np.abs(sine) > _UPRIGHT
     if not locked.any():
         return triples
     answer, side = triples.copy(), np.sign(sine[locked])
-    total, z = triples[locked, 0] + side * triples[locked, 2], np.clip(wanted[2], low[2], high[2])
-    x = by_whole_turns((total - side * z)[:, None], wanted[:1], low[:1], high[:1])[:, 0]
-    over = x - np.clip(x, low[0], high[0])
-    answer[locked, 0], answer[locked, 2] = x - over, z + side * over
+    ends = np.sort(side[:, None] * np.array([low[2], high[2]]), axis=-1)
+    x, z = np.clip(wanted[0], low[0], high[0]), np.clip(wanted[2], low[2], high[2])
+    total = triples[locked, 0] + side * triples[locked, 2]
+    total = by_whole_turns(total, x + side * z, low[0] + ends[:, 0], high[0] + ends[:, 1])
+    answer[locked, 0] = np.clip(total - side * z, low[0], high[0])
+    answer[locked, 2] = side * (total - answer[locked, 0])
     return answer
 
 

@@ -10,7 +10,7 @@ pivot along the third (posing.md 1). At rest these axes lie along the world's, a
 - A level limb (a foot, a muzzle) tilts up or down and turns to a side.
 - A twist turns an upright or hanging limb as its front goes, and rolls a level one as its top goes.
 
-A joint that turns about x, y and z is said to do so.
+A joint that turns about x, y and z is said to do so, with a sign: where that takes the limb depends on the order.
 
 The root has no parent to move against; its angles are named as they are.
 """
@@ -35,7 +35,7 @@ def moved_words(figure: Figure, limb: int, kind: str, change: tuple[float, float
         return f"{kind} {way:+.6g}"
     size = degrees(abs(way))
     if kind in EULER_KINDS:
-        return f"turned {'' if way > 0 else 'back '}{size} about {kind}"
+        return f"turned {'-' if way <= -0.05 else ''}{size} about {kind}"
     if kind == "twist":
         return _twisted(figure, joint, way, size)
     where = _side(figure, joint, _axis(joint, kind) * np.sign(way))

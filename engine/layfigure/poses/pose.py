@@ -25,7 +25,8 @@ class Pose:
     rounded value is then the value itself. Arrays are read-only; compare with ``==``.
 
     A joint that turns about x, y and z (``euler``; None where no joint does) has those three angles in its row instead,
-    as they are: neither wrapped nor clamped, for the hand of a clock goes round and round.
+    as they are: neither wrapped nor clamped, for the hand of a clock goes round and round (up to a million degrees;
+    beyond that all whole turns are taken away).
     """
 
     angles: Floats

@@ -75,9 +75,10 @@ def _partner(figure: Figure, index: int, partners: list[int]) -> int:
     """Return the limb whose rest stands where the limb's mirror image would: its twin, itself, or one like a twin.
 
     ``partners`` are those of the limbs before this one; partners always have each other. A limb that nothing mirrors,
-    because the figure is not symmetric, stands for itself.
+    because the figure is not symmetric, stands for itself. Partners turn in the same ways: they exchange their angles.
     """
     limbs, frames = figure.limbs, figure.arrays.frames
+    kinds = [frozenset(dof.kind for dof in limb.dofs) for limb in limbs]
     if index in partners:
         return partners.index(index)
     if index == 0:
@@ -86,7 +87,7 @@ def _partner(figure: Figure, index: int, partners: list[int]) -> int:
     free = [other.index for other in limbs[index:] if other.parent == opposite and other.index not in partners]
     for candidate in sorted(free, key=lambda other: (other != limbs[index].twin, other != index)):
         seen = frames[index].T @ _MIRROR @ frames[candidate]
-        turned_alike = bool((np.abs(np.diag(seen)) == 1.0).all())
+        turned_alike = bool((np.abs(np.diag(seen)) == 1.0).all()) and kinds[candidate] == kinds[index]
         if turned_alike and np.allclose(_rest(figure, candidate), _rest(figure, index) @ _MIRROR):
             return candidate
     return index

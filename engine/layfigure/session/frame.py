@@ -116,10 +116,10 @@ class JointBall:
 
 @dataclass(frozen=True)
 class JointCircle:
-    """One degree of freedom of a joint as a circle: 0 at the top, clockwise is positive, +-180 at the bottom.
+    """One degree of freedom of a joint as a circle: 0 at the top, +-180 at the bottom.
 
-    ``column`` says which of ``angles`` (flexion, pivot, twist in degrees) it turns; -1 is an empty circle, for a joint
-    without. ``low`` and ``high`` bound what is allowed.
+    ``column`` says which of ``angles`` (flexion, pivot, twist or x, y, z in degrees) it turns; -1 is an empty circle,
+    for a joint without. ``low`` and ``high`` bound what is allowed. ``sense`` is 1 where clockwise is positive or -1.
     """
 
     rectangle: Rectangle
@@ -129,6 +129,7 @@ class JointCircle:
     column: int
     low: float = 0.0
     high: float = 0.0
+    sense: int = 1
 
 
 @dataclass(frozen=True)

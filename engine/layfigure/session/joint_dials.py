@@ -70,10 +70,19 @@ def _twist_dial(limb: Limb, command: str, angles: tuple[float, float, float]) ->
 def _axis_circles(limb: Limb, command: str, angles: tuple[float, float, float]) -> tuple[JointCircle, ...]:
     limits = limits_from(limb, angles)
     return tuple(
-        JointCircle(NOWHERE, f"About {kind}", command, angles, column, *limits[column])
+        JointCircle(NOWHERE, f"About {kind}", command, angles, column, *limits[column], sense=_sense(limb, column))
         for column, kind in enumerate(limb.kinds)
         if limb.turns(kind)
     )
+
+
+def _sense(limb: Limb, axis: int) -> int:
+    """Return which way a turn about an axis goes as seen from the right, from above or from the front: 1 is clockwise.
+
+    So a circle turns as the limb does in the view of that side, where nothing above the limb is turned.
+    """
+    (x, _, _), (_, y, _), (_, _, z) = limb.frame
+    return (y * z, x * z, -x * y)[axis]
 
 
 def ball_line(ball: JointBall, x: float, y: float) -> str:
@@ -88,7 +97,7 @@ def ball_line(ball: JointBall, x: float, y: float) -> str:
 def circle_line(circle: JointCircle, x: float, y: float) -> str:
     """Return the command line that a pointer on a joint circle means; beyond a limit the nearer limit is taken."""
     across, up = on_disc(circle.rectangle, x, y)
-    angle = _readable(math.degrees(math.atan2(across, up)))
+    angle = circle.sense * _readable(math.degrees(math.atan2(across, up)))
     angle += 360.0 * round((circle.angles[circle.column] - angle) / 360.0)  # the turn that the joint is in
     angle += 360.0 * ((angle < circle.low) - (angle > circle.high))
     if not circle.low <= angle <= circle.high:

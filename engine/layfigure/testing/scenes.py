@@ -43,6 +43,7 @@ def legal_pose(figure: Figure, chance: np.random.Generator, share: float = 1.0) 
     angles = nearest + (chance.uniform(low, high) - nearest) * share
     swing = np.abs(angles[:, :2]).sum(axis=1, keepdims=True)
     fits = (angles[:, :2] * 179.0 / np.maximum(swing, 179.0) >= low[:, :2]).all(axis=1)
+    fits &= ~figure.arrays.euler
     angles[:, :2] *= np.where(fits[:, None], 179.0 / np.maximum(swing, 179.0), 1.0)
     angles[0] = chance.uniform(-20.0, 20.0, 3)
     return Pose.of(angles, chance.uniform(-0.1, 0.1, 3) * body_height(figure), figure.arrays.euler)
@@ -55,7 +56,8 @@ def outside_limits(figure: Figure, pose: Pose) -> NDArray[np.bool_]:
     """
     low, high = figure.arrays.limits[..., 0] - 1e-6, figure.arrays.limits[..., 1] + 1e-6
     twin = pose.angles.copy()
-    twin[np.abs(twin[:, :2]).sum(axis=1) >= 180.0 - 2e-6, :2] *= -1.0
+    at_the_edge = (np.abs(twin[:, :2]).sum(axis=1) >= 180.0 - 2e-6) & ~figure.arrays.euler
+    twin[at_the_edge, :2] *= -1.0
     fits = [((angles >= low) & (angles <= high)).all(axis=1) for angles in (pose.angles, twin)]
     outside = np.logical_not(fits[0] | fits[1])
     outside[0] = False
@@ -79,7 +81,8 @@ class Scene:
             case "goal":
                 return self._goal()
             case "drag":
-                return Drag(self._limb(), self._angles())
+                limb = self._limb()
+                return Drag(limb, self._angles(limb))
             case _:
                 return self._control(controls)
 
@@ -117,9 +120,11 @@ class Scene:
     def _limbs(self) -> tuple[int, ...]:
         return tuple(dict.fromkeys(self._limb() for _ in range(int(self.chance.integers(1, 4)))))
 
-    def _angles(self) -> tuple[float, float, float]:
-        flexion, pivot, twist = self.chance.uniform(-180.0, 180.0, 3).tolist()
-        return (flexion, pivot, twist)
+    def _angles(self, limb: int) -> tuple[float, float, float]:
+        """Return angles that a person may ask for: of a joint that turns about x, y and z in other turns too."""
+        widest = 800.0 if self.figure.limbs[limb].euler else 180.0
+        first, second, third = self.chance.uniform(-widest, widest, 3).tolist()
+        return (first, second, third)
 
     def _goal(self) -> Goal:
         limb = self._limb()

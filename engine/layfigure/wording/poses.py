@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from layfigure.figures.definition import EULER_KINDS
 from layfigure.figures.figure import Figure
 from layfigure.figures.spoken import both_limbs, spoken_limb
 from layfigure.poses.freedom import existing_angles
@@ -77,6 +78,6 @@ def _joint(figure: Figure, pose: Pose, limb: int) -> tuple[str, ...]:
     for column, kind in enumerate(figure.limbs[limb].kinds):
         angle = fives(float(pose.angles[limb, column]))
         if has[column] and angle:
-            words = f"{kind} {angle} degrees"
-            clauses.append(words if limb == 0 else f"{moved_words(figure, limb, kind, (0.0, angle))} ({words})")
+            words, moved = f"{kind} {angle} degrees", moved_words(figure, limb, kind, (0.0, angle))
+            clauses.append(words if limb == 0 else moved if kind in EULER_KINDS else f"{moved} ({words})")
     return tuple(clauses)

@@ -28,7 +28,8 @@ def info(name: str, as_json: bool) -> int:
     click.echo(f"{facts['dofs']} degrees of freedom, total length {facts['total_length']:g}")
     for joint in facts["joints"]:
         freedom = "  ".join(f"{kind} {low:g}…{high:g}°" for kind, (low, high) in joint["dofs"].items())
-        click.echo(f"  {joint['name']:<20} {freedom or 'cannot move'}")
+        called = "" if joint["id"] == joint["name"].casefold() else f"  (id {joint['id']})"
+        click.echo(f"  {joint['name']:<20} {freedom or 'cannot move'}{called}")
     return 0
 
 

@@ -43,14 +43,14 @@ def paint_circle(canvas: Canvas, circle: JointCircle) -> None:
     shapes.disc(canvas.surface, _whole(centre), round(radius), theme.raised)
     span = min(circle.high - circle.low, 360.0)  # what may turn farther may stand anywhere
     steps = [circle.low + span * step / (2 * STEPS) for step in range(2 * STEPS + 1)]
-    rim = [_at(centre, radius, angle) for angle in steps]
+    rim = [_at(centre, radius, circle.sense * angle) for angle in steps]
     if span > 0:
         region = rim if span >= 360 else [centre, *rim]
         pygame.draw.polygon(canvas.surface, theme.accent_quiet, region)
         pygame.draw.aalines(canvas.surface, theme.mark("guide"), True, region)
     pygame.draw.aacircle(canvas.surface, theme.border, _whole(centre), round(radius), max(canvas.pixels(1), 1))
     angle = circle.angles[circle.column]
-    _hand(canvas, centre, _at(centre, radius * 0.86, angle))
+    _hand(canvas, centre, _at(centre, radius * 0.86, circle.sense * angle))
     _caption(canvas, circle.rectangle, circle.text, f"{angle:.4g}°")
 
 

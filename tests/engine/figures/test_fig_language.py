@@ -1,5 +1,7 @@
 """The .fig language: what it says, and that writing and reading are inverse."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -7,7 +9,16 @@ from hypothesis import strategies as st
 from layfigure import resources
 from layfigure.drawing.palette import load_palette
 from layfigure.errors import SourceError
-from layfigure.figures.definition import Axis, Dof, JointDefinition, LimbDefinition, Volume
+from layfigure.figures.definition import (
+    DOF_KINDS,
+    EULER_KINDS,
+    MAXIMUM_TURN,
+    Axis,
+    Dof,
+    JointDefinition,
+    LimbDefinition,
+    Volume,
+)
 from layfigure.figures.fig_language import parse_fig
 from layfigure.figures.fig_writer import write_fig
 from layfigure.figures.solidity import flaw_of
@@ -29,19 +40,26 @@ def volumes(draw):
     kind = draw(st.sampled_from(tuple(POINT_COUNTS)))
     radius = 0.0 if kind == "cube" else draw(st.floats(1e-3, 1e6))
     corners = tuple(draw(points) for _ in range(POINT_COUNTS[kind]))
-    return Volume(kind, corners, radius, draw(st.sampled_from(load_palette().names)))
+    return Volume(kind, corners, radius, draw(st.sampled_from(load_palette().names) | colours))
 
 
-dofs = st.lists(
-    st.builds(lambda kind, pair: Dof(kind, *sorted(pair)), st.sampled_from(("flexion", "pivot", "twist")),
-              st.tuples(angles, angles)),
-    max_size=3, unique_by=lambda dof: dof.kind,
-).map(tuple)  # fmt: skip
+colours = st.integers(0, 0xFFFFFF).map("#{:06x}".format)
+turns = st.floats(-MAXIMUM_TURN, MAXIMUM_TURN).map(lambda value: value + 0.0)
+ids = st.from_regex(r"[a-z0-9_.-]{1,8}", fullmatch=True)
+
+
+def _dofs(kinds, degrees):
+    dof = st.builds(lambda kind, pair: Dof(kind, *sorted(pair)), st.sampled_from(kinds), st.tuples(degrees, degrees))
+    return st.lists(dof, max_size=3, unique_by=lambda dof: dof.kind).map(tuple)
+
+
+dofs = _dofs(DOF_KINDS, angles) | _dofs(EULER_KINDS, turns)
 
 
 def _limbs(joints):
     solids = st.lists(volumes().filter(lambda volume: not flaw_of(volume)), max_size=2).map(tuple)
-    limbs = st.builds(LimbDefinition, names, axes, axes, points, points, dofs, solids, joints)
+    parts = (names, axes, axes, points, points, dofs, solids, joints)
+    limbs = st.builds(LimbDefinition, *parts, st.just(False), st.just("") | ids)
     return limbs.filter(lambda limb: limb.axis.index != limb.flexion_axis.index or not limb.dofs)
 
 
@@ -54,7 +72,10 @@ definitions = st.recursive(
 )
 
 
-@given(definitions)
+roots = st.builds(lambda limb, right: replace(limb, right_handed=right, joint=""), definitions, st.booleans())
+
+
+@given(roots)
 def test_a_written_definition_reads_back_equal(definition):
     assert parse_fig(write_fig(definition), "written") == definition
 
@@ -96,6 +117,29 @@ def test_a_chain_of_one_hundred_and_one_blocks_is_refused():
 def test_limits_of_a_swing_may_reach_beyond_its_domain():
     definition = parse_fig("a { flexiondof -170 170 pivotdof -170 170 }", "wide")
     assert definition.dofs == (Dof("flexion", -170, 170), Dof("pivot", -170, 170))
+
+
+def test_a_joint_about_x_y_and_z_may_turn_several_times_round():
+    definition = parse_fig("clock { joint 0 0 0 hand { ZDOF -720 1e6 } }", "clock")
+    assert definition.joints[0].limb.dofs == (Dof("z", -720, 1e6),)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a { joint 0 0 0 b { xdof 0 90 twistdof 0 9 } }", "by flexion, pivot and twist or about x, y and z, not both"),
+        ("a { joint 0 0 0 b { twistdof 0 9 ydof 0 90 } }", "by flexion, pivot and twist or about x, y and z, not both"),
+        ("a { joint 0 0 0 b { xdof 0 1000001 } }", "1000001"),
+        ("a { joint 0 0 0 b { xdof 90 0 } }", "write the smaller one first"),
+        ("a { joint 0 0 0 b { xdof 0 9 xdof 0 9 } }", "has its xdof in line 1 already"),
+        ("a { joint 0 0 0 b { handed right } }", "goes for the whole figure"),
+        ("a { handed up }", "left"),
+        ("a { sphere 0 0 0 1 0x12345 }", "a colour"),
+    ],
+)
+def test_mistakes_about_axes_are_told_in_a_sentence(text, words):
+    with pytest.raises(SourceError, match=words):
+        parse_fig(text, "wrong")
 
 
 def test_an_error_shows_a_strange_character_only_escaped():

@@ -26,6 +26,7 @@ def test_a_joint_is_described_with_parent_limits_and_twin():
     joints = {joint["name"]: joint for joint in describe_figure(load_figure("humanoid"))["joints"]}
     assert joints["rightthigh"] == {
         "name": "rightthigh",
+        "id": "rightthigh",
         "parent": "righthip",
         "length": 45,
         "dofs": {"pivot": [0, 80], "flexion": [-20, 160], "twist": [-90, 90]},

@@ -47,6 +47,7 @@ WIDGETS = [
     JointCircle(BOX, LONG, "x", (-179.0, 0.0, 0.0), 0, -180.0, 180.0),
     JointCircle(BOX, LONG, "x", (0.0, 0.0, 40.0), 2, 40.0, 40.0),
     JointCircle(BOX, LONG, "x", (0.0, 0.0, 0.0), -1),
+    JointCircle(BOX, LONG, "x", (0.0, 0.0, 400.0), 2, -720.0, 720.0, -1),
 ]  # fmt: skip
 
 
@@ -99,6 +100,17 @@ def test_a_slider_shows_its_value_by_how_far_the_accent_reaches():
 
     assert reach(20) < reach(50) < reach(90)
     assert abs(reach(50) - (BOX.x + BOX.width // 2)) <= 8
+
+
+def test_a_circles_hand_goes_the_way_of_its_sense():
+    def hand(sense):
+        canvas = canvas_of((300, 200))
+        box = Rectangle(60, 20, 150, 150)
+        paint_widget(canvas, JointCircle(box, "", "x", (0.0, 0.0, 60.0), 2, -90.0, 720.0, sense))
+        accent = canvas.surface.map_rgb(canvas.theme.accent)
+        return float(np.nonzero(pixels(canvas.surface) == accent)[1].mean()) - (box.x + box.width / 2)
+
+    assert hand(1) > 20 and hand(-1) < -20
 
 
 def test_the_chosen_option_is_filled_with_the_accent():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.plugins.axis_figures import AXIS_FIGURES, axis_figure
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.library import figure_names, load_figure
@@ -37,6 +38,20 @@ def test_no_joint_of_any_figure_leaves_its_limits_and_no_other_joint_moves(name,
     others = [other for other in range(len(figure.limbs)) if other != limb]
     assert np.array_equal(pose.angles[others], before.pose.angles[others])
     assert before.pose == Pose.rest(figure)
+
+
+@given(st.sampled_from(list(AXIS_FIGURES)), st.integers(0, 400), st.tuples(*[st.floats(-2000, 2000)] * 3))
+def test_joints_about_x_y_and_z_go_where_they_are_told_or_to_their_limits(name, pick, angles):
+    figure = axis_figure(name)
+    technique, limbs = Forward(figure), np.flatnonzero(figure.arrays.euler)
+    limb = int(limbs[pick % len(limbs)])
+    before = technique.start(Setting(Pose.rest(figure), frozenset(figure.movable), fresh=True))
+    pose = technique.recommend(technique.tell(before, Drag(limb, angles)))
+    low, high = figure.arrays.limits[limb].T
+    assert np.allclose(pose.angles[limb], np.clip(angles, np.minimum(low, 0), np.maximum(high, 0)), atol=1e-6)
+    loose = technique.tell(technique.tell(before, Control("limits", False)), Drag(limb, angles))
+    has = figure.arrays.has_dof[limb]
+    assert np.allclose(technique.recommend(loose).angles[limb], np.where(has, angles, 0.0), atol=1e-6)
 
 
 def test_limits_keep_their_sign():

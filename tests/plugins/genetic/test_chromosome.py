@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from tests.plugins.axis_figures import AXIS_FIGURES, axis_figure, beyond_limits
 
 from layfigure.figures.figure import Figure
 from layfigure.figures.library import load_figure, read_figure
@@ -44,6 +45,20 @@ def test_limits_that_reach_beyond_the_swing_domain_are_kept_too(limits, seed):
     pose = decoded(figure, Pose.rest(figure), any_chromosome(figure, seed), frozenset({1}))
     assert (pose.angles[1] >= figure.arrays.limits[1, :, 0]).all()
     assert (pose.angles[1] <= figure.arrays.limits[1, :, 1]).all()
+
+
+@pytest.mark.parametrize("name", AXIS_FIGURES)
+@settings(deadline=None)
+@given(seed=SEEDS)
+def test_joints_about_x_y_and_z_use_all_of_their_limits_and_no_more(name, seed):
+    figure = axis_figure(name)
+    chromosome = any_chromosome(figure, seed)
+    pose = decoded(figure, Pose.rest(figure), chromosome, frozenset(figure.movable))
+    assert beyond_limits(figure, pose.angles) <= 0
+    low, high = np.moveaxis(figure.arrays.limits[list(figure.movable)], -1, 0)
+    turns = figure.arrays.euler[list(figure.movable)]
+    wanted = low + (high - low) * chromosome.alleles / TOP
+    assert np.allclose(pose.angles[list(figure.movable)][turns], wanted[turns], atol=1e-6)
 
 
 @pytest.mark.parametrize("name", FIGURES)
