@@ -29,6 +29,16 @@ def data(*parts: str) -> Path:
     return folder("data").joinpath(*parts)
 
 
+def found(path: Path) -> Path:
+    """Return a path, or for a bare name that is no file here the shipped motion or script of that name."""
+    if len(path.parts) == 1 and not path.exists():
+        for kind in ("motions", "scripts"):
+            shipped = data(kind, path.name)
+            if shipped.is_file():
+                return shipped
+    return path
+
+
 def model_files() -> Iterator[Path]:
     """Yield the shipped ``.fig`` files in alphabetical order."""
     yield from sorted(folder("models").glob("*.fig"))

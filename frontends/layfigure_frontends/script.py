@@ -47,12 +47,15 @@ limit_options = as_record(
 
 
 def run(script: Path, limits: Limits, choice: PluginChoice) -> Programme:
-    """Return what a script comes to; its motions may name the interpolations of plug-ins.
+    """Return what a script, or the shipped one of that name, comes to.
+
+    Its motions may name the interpolations of plug-ins.
 
     Raises:
         LayfigureError: it cannot be read, has a mistake, or does more than the limits allow.
     """
+    from layfigure import resources
     from layfigure.language import run_script
     from layfigure.motions.standard import STANDARD
 
-    return run_script(script, limits, {**STANDARD, **open_host(choice).interpolations})
+    return run_script(resources.found(script), limits, {**STANDARD, **open_host(choice).interpolations})

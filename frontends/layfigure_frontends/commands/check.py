@@ -68,10 +68,11 @@ def _verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:
 
 
 def _motion_verdict(path: Path) -> str:
+    from layfigure import resources
     from layfigure.motions.motion_file import load_motion
     from layfigure.motions.numbers import written
 
-    motion = load_motion(path).motion
+    motion = load_motion(resources.found(path)).motion
     joints, keys = len(motion.tracks), motion.key_count
     counts = f"{joints} joint{'s' * (joints != 1)}, {keys} key{'s' * (keys != 1)}"
     return f"right; {written(motion.duration)} frames, {counts}"

@@ -58,6 +58,8 @@ film_options = as_record(
 def command(source: Path, output: Path | None, film: FilmChoice, limits: Limits, choice: PluginChoice) -> int:
     """Draw FILE: a .lay script, a .motion, a .pose, a set of .poses, or what a session's .log ends at.
 
+    A shipped motion or script is found by its file's name, such as walk.motion or clock.lay.
+
     \b
     The name of OUTPUT says what becomes of it:
       film.mp4, .gif, .webp, .apng   a film
@@ -65,13 +67,14 @@ def command(source: Path, output: Path | None, film: FilmChoice, limits: Limits,
       picture.png                    the only picture, else a contact sheet
       a folder                       a picture of every pose of a set
     """
-    from layfigure import places
+    from layfigure import places, resources
     from layfigure.errors import LayfigureError
     from layfigure_frontends.film.opening import open_film
     from layfigure_frontends.film.plan import plan
     from layfigure_frontends.film.rendering import Request, render
     from layfigure_frontends.film.stills import draw_stills
 
+    source = resources.found(source)
     if film.dry_run:
         click.echo("\n".join(plan(open_film(source, output, film, choice, limits), output)))
         return 0
