@@ -128,10 +128,10 @@ def test_run_prints_and_writes_what_the_script_says_and_check_writes_nothing(cap
 
 def test_an_option_raises_a_limit(capfd, monkeypatch, tmp_path):
     path = tmp_path / "a.lay"
-    path.write_text("FOR i = 1 TO 300000\nENDFOR\nPRINT i")
+    path.write_text("FOR i = 1 TO 250000\nENDFOR\nPRINT i")
     status, _, err = layfigure(capfd, monkeypatch, "run", path)
     assert status == 2 and err.endswith("raise the limit with --most-steps\n")
-    assert layfigure(capfd, monkeypatch, "run", path, "--most-steps", 10**6)[:2] == (0, "300000\n")
+    assert layfigure(capfd, monkeypatch, "run", path, "--most-steps", 10**6)[:2] == (0, "250000\n")
 
 
 def test_a_script_may_name_an_interpolation_of_a_plug_in(capfd, monkeypatch, tmp_path):

@@ -28,15 +28,19 @@ _ASSIGNING = frozenset(("EQUAL", "_COLON_MINUS", "_COLON_EQUAL"))
 _TYPES = {"GRAPHICAL", "VECTOR", "REAL", "INTEGER", "MODEL", "MOTION", "SCENE", "STRING", "BOOLEAN", "POSE"}
 
 
-def unknown_statement(word: str, accepts: frozenset[str], at_start: frozenset[str]) -> str:
-    """Return the sentence for a statement that begins with a word and has no ``=`` behind it, or "" for anything else.
+def wrong_beginning(word: str, accepts: frozenset[str], at_start: frozenset[str], inside: bool) -> str:
+    """Return the sentence for a name or number that was read as the beginning of a statement but is none, else "".
 
-    ``accepts`` are the terminals that could have followed, ``at_start`` those that could begin a statement.
+    ``accepts`` are the terminals that could have followed, ``at_start`` those that could begin a statement; ``inside``
+    tells that something of a statement stands before the word, which did not end there.
     """
-    if not (accepts >= _ASSIGNING and accepts <= _ASSIGNING | {"_LEFT_SQUARE"}):
+    is_name = accepts >= _ASSIGNING and accepts <= _ASSIGNING | {"_LEFT_SQUARE"}
+    if not is_name and accepts != {"CONTINUE"}:
         return ""
+    if inside:
+        return f"found {quoted(word)} where an operator or {_END} should stand"
     known = (_words(at_start) - {"TYPE", "SHOOT"}) | {"SHOOTSCENES"} | _TYPES
-    hint = "" if word.upper() in known else did_you_mean(word, known)
+    hint = "" if not is_name or word.upper() in known else did_you_mean(word, known)
     return f"no statement begins with {quoted(word)}{hint}" if hint else ""
 
 

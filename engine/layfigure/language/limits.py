@@ -32,7 +32,7 @@ class Limits:
     included; ``script`` the letters of one. ``outside`` lets a script save to places outside its own folder.
     """
 
-    steps: int = 250_000
+    steps: int = 200_000
     keys: int = 50_000
     pictures: int = 5_000
     actors: int = 10_000

@@ -12,7 +12,7 @@ from lark.parsers.lalr_interactive_parser import InteractiveParser
 from layfigure.errors import SourceError
 from layfigure.language.blocks import nested
 from layfigure.language.building import Builder
-from layfigure.language.expecting import Found, found_instead, unknown_statement
+from layfigure.language.expecting import Found, found_instead, wrong_beginning
 from layfigure.language.layout import laid_out
 from layfigure.language.limits import Meter, raised
 from layfigure.language.places import Place
@@ -64,11 +64,11 @@ def _explained(error: UnexpectedInput, text: str, source: str) -> SourceError:
     assert isinstance(error, UnexpectedToken)
     if error.token.type == "$END":
         place = _end_of(text, source)
-    before = error.interactive_parser.parser_state.value_stack[-1:] if error.interactive_parser else []
-    if before and isinstance(before[0], Token) and before[0].type == "NAME":
-        sentence = unknown_statement(before[0], accepts, _at_start())
+    begins = error.interactive_parser.parser_state.value_stack[-1:] if error.interactive_parser else []
+    if begins and isinstance(begins[0], Token):
+        sentence = wrong_beginning(begins[0], accepts, _at_start(), _is_inside(text, begins[0].start_pos))
         if sentence:
-            return Place(source, before[0].line or 1, before[0].column or 1).error(sentence)
+            return Place(source, begins[0].line or 1, begins[0].column or 1).error(sentence)
     inside = _is_inside(text, error.token.start_pos if error.token.type != "$END" else len(text))
     return place.error(found_instead(Found(str(error.token), error.token.type, inside), accepts, _at_start()))
 

@@ -82,8 +82,7 @@ def test_a_script_that_loads_itself_is_refused(run, tmp_path):
         (f'{KEY}SAVE m, "/tmp/m.motion"', "--outside"),
         (f'{KEY}SAVE m, "none/../../m.motion"', "--outside"),
         (
-            f"{MODEL}m :- JOINT 8, m, (0, 0, 0), a, (0, 0, 0), (0, 0), (0, 9)\n"
-            'm :- m <SCALE MODEL -1>\nSAVE m, "m.fig"',
+            f'{MODEL}m :- JOINT 8, m, (0,0,0), a, (0,0,0), (0,0), (0,9)\nn :- m <SCALE MODEL -1>\nSAVE n, "n.fig"',
             "mirror",
         ),
     ],

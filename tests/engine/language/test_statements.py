@@ -107,6 +107,8 @@ def test_stop_ends_the_run_and_end_the_script(printed):
         ("x = (1,\ny = 2", "1:5", 'this "(" is not closed'),
         ("x = (1]", "1:7", 'needs its ")"'),
         ("x = 1 y = 2", "1:7", "a statement begins before the last one ended"),
+        ("x = 1 2", "1:7", 'found "2" where an operator or the end of the statement should stand'),
+        ("x = 12abc", "1:7", 'found "abc" where an operator or the end of the statement should stand'),
         ("x = 1, 2", "1:6", "the end of the statement should stand"),
         ("x = 1 @ 2", "1:7", 'found "@"'),
         ('x = "abc\ny = 1', "1:5", "is not closed in its line"),
