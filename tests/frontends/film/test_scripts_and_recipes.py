@@ -211,7 +211,7 @@ def test_a_copied_film_needs_neither_numbers_nor_grammar(folder, tmp_path):
     words = ["render", "two.lay", "-o", "two.mp4", "--size", "64x48", "--renderer", "stick", "--safe"]
     environment = {"XDG_CACHE_HOME": str(tmp_path / "home"), "XDG_CONFIG_HOME": str(tmp_path), "PATH": ""}
     command = [sys.executable, "-c", code, *words]
-    kept = {"cwd": folder, "env": environment, "capture_output": True, "text": True, "check": False}
-    done = [subprocess.run(command, **kept) for _ in range(2)]
+    kept = {"cwd": folder, "env": environment, "capture_output": True, "text": True}
+    done = [subprocess.run(command, **kept, check=False) for _ in range(2)]
     assert done[0].stdout.startswith("two.mp4\n"), done[0].stderr
     assert done[1].stdout == "two.mp4\n[]\n", done[1].stderr
