@@ -16,7 +16,7 @@ _COMMANDS = {
     "replay": "Play a session log without a window.",
     "describe": "Say a pose in words.",
     "diff": "Say what sets two poses apart, in words and numbers.",
-    "render": "Draw a pose or a session's result to a picture.",
+    "render": "Draw poses, motions and scripts as pictures and films.",
     "breathe": "Write small variants of a pose as a set or a loop.",
     "figure": "Tell about figures.",
     "run": "Run a script: what it prints and saves, without its pictures.",

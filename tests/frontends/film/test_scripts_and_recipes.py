@@ -212,6 +212,6 @@ def test_a_copied_film_needs_neither_numbers_nor_grammar(folder, tmp_path):
     environment = {"XDG_CACHE_HOME": str(tmp_path / "home"), "XDG_CONFIG_HOME": str(tmp_path), "PATH": ""}
     command = [sys.executable, "-c", code, *words]
     kept = {"cwd": folder, "env": environment, "capture_output": True, "text": True}
-    done = [subprocess.run(command, check=False, **kept) for _ in range(2)]
+    done = [subprocess.run(command, **kept, check=False) for _ in range(2)]
     assert done[0].stdout.startswith("two.mp4\n"), done[0].stderr
     assert done[1].stdout == "two.mp4\n[]\n", done[1].stderr
