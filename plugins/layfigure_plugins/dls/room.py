@@ -38,7 +38,7 @@ class FigureTable:
         determinants = np.linalg.det(arrays.frames)[:, None, None]
         rows[:, m.FRAME : m.TURNS] = np.rint(arrays.frames * determinants).reshape(count, 9)
         rows[:, m.TURNS : m.LIMITS] = self.free
-        self.xyz = np.asarray(arrays.euler)
+        self.xyz, self.any_xyz = arrays.euler, bool(arrays.euler.any())
         rows[:, m.XYZ] = self.xyz
         middle = np.clip(self.limits, -_ROUND_TURN, _ROUND_TURN).mean(axis=2) / _UNITS
         middle[0] = 0.0
@@ -118,7 +118,7 @@ def _write_limits(table: FigureTable, pose: Pose, body: Floats) -> None:
     """Write the limits, stretched to where the pose is outside them: a joint may go no farther out."""
     now = np.rint(pose.angles * _UNITS)[..., None]
     limits = np.concatenate([np.minimum(table.limits[..., :1], now), np.maximum(table.limits[..., 1:], now)], axis=-1)
-    stretched = limits.copy()
+    boxes = limits[table.xyz] if table.any_xyz else None
     other = np.where(table.free[:, :2], 0.0, _ROUND_TURN - np.abs(now[:, :2, 0]))
     for this, missing in ((0, 1), (1, 0)):  # a value of a freedom that does not exist still takes part of the domain
         room = np.where(table.free[:, missing], _ROUND_TURN, other[:, missing])[:, None]
@@ -127,22 +127,20 @@ def _write_limits(table: FigureTable, pose: Pose, body: Floats) -> None:
     half = np.sin(np.radians(limits[:, :2] / _UNITS) / 2.0)
     body[:, m.LIMITS : m.LIMITS + 4] = half.reshape(-1, 4)
     body[:, m.LIMITS + 4 : m.LIMITS + 6] = np.radians(limits[:, 2] / _UNITS)
-    if table.xyz.any():
-        _write_xyz_limits(table, pose, body, stretched)
+    if boxes is not None:
+        _write_boxes(table, pose, body, boxes)
 
 
-def _write_xyz_limits(table: FigureTable, pose: Pose, body: Floats, limits: Floats) -> None:
-    """Write the limits (n, 3, 2) of joints in x, y, z: boxes, but what can turn all the way round is free to.
+def _write_boxes(table: FigureTable, pose: Pose, body: Floats, boxes: Floats) -> None:
+    """Write the limits (k, 3, 2) of joints in x, y, z: boxes, but what can turn all the way round is free to.
 
     Such an angle has no middle either; it is pulled to where it was.
     """
-    xyz = table.xyz
-    body[xyz, m.DEGREES : m.DEGREES + 6] = limits[xyz].reshape(-1, 6)
-    radians = np.radians(limits / _UNITS)
-    radians[table.round] = -np.inf, np.inf
-    body[xyz, m.LIMITS : m.LIMITS + 6] = radians[xyz].reshape(-1, 6)
-    targets = body[:, m.TARGET : m.TARGET + 3]
-    targets[table.round] = np.radians(pose.angles[table.round])
+    radians = np.radians(boxes / _UNITS)
+    radians[table.round[table.xyz]] = -np.inf, np.inf
+    body[table.xyz, m.DEGREES : m.DEGREES + 6] = boxes.reshape(-1, 6)
+    body[table.xyz, m.LIMITS : m.LIMITS + 6] = radians.reshape(-1, 6)
+    body[:, m.TARGET : m.TARGET + 3][table.round] = np.radians(pose.angles[table.round])
 
 
 def turning(task: Task) -> bool:
