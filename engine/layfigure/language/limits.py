@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from layfigure.language.places import Place
 
-WORK = {"keys": 5, "new keys": 10, "volumes": 30, "links": 10}
+WORK = {"keys": 2, "new keys": 10, "volumes": 30, "links": 10}
 """Steps that one thing stands for: a key that is moved, one that is made or set in motion, a volume, a link."""
 
 _COUNTED = {

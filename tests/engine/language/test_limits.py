@@ -21,7 +21,7 @@ SCENE = "INITIALIZE SCENE 1\nSTARTSCENE LENGTH {}\n{}\nENDSCENE\nSHOOTSCENES\n"
         (f"{BOX}p :- o; j :- JOINT 1, o, (0,0,0), p, (0,0,0)\nWHILE TRUE\nj :- j <SCALE MODEL 1>\nENDWHILE", "steps"),
         (f"{KEY}WHILE TRUE\nn = m + m\nENDWHILE", "steps"),
         (f"{KEY}FOR i = 2 TO 9999\nm[1, i] = FRAME 9 * i POSITION 1, 2, 3\nx = duration(m)\nENDFOR", "steps"),
-        (f"{KEY}WHILE TRUE\nm = m + m\nENDWHILE", "steps"),
+        (f"{KEY}WHILE TRUE\nm = m + m\nENDWHILE", "steps|keys"),
         (f"{KEY}m = 10 ** 9 * m", "keys"),
         (f"{KEY}m = warp(hold(m, 10 ** 6), linear)", "keys"),
         (f"{KEY}m = noise(hold(m, 10 ** 6), 5, 1)", "keys"),

@@ -97,3 +97,11 @@ def test_the_tour_runs_without_a_warning_and_within_limits(scripts):
     assert programme.warnings == ()
     assert len(programme.scenes[0].pictures) == 85
     assert re.search("the greeting takes 60 frames", programme.printed[0])
+
+
+def test_ten_times_hop_skip_and_jump_plays_without_a_seam(run):
+    load = 'load "humanoid"; load "hop"; load "skip"; load "jump"\n'
+    scene = "INITIALIZE SCENE 1\nSTARTSCENE LENGTH 300\nANIMATE humanoid USING new_walk REPEAT\nENDSCENE\nSHOOTSCENES"
+    programme = run(f"{load}new_walk = 10 * (hop + skip + jump)\nPRINT jump(hop + skip + jump)\n{scene}")
+    assert programme.printed == ("0",)
+    assert programme.warnings == ()
