@@ -56,6 +56,6 @@ def run(script: Path, limits: Limits, choice: PluginChoice) -> Programme:
     """
     from layfigure import resources
     from layfigure.language import run_script
-    from layfigure.motions.standard import STANDARD
+    from layfigure.motions.standard import with_plugins
 
-    return run_script(resources.found(script), limits, {**STANDARD, **open_host(choice).interpolations})
+    return run_script(resources.found(script), limits, with_plugins(open_host(choice).interpolations))

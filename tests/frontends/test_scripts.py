@@ -134,15 +134,30 @@ def test_an_option_raises_a_limit(capfd, monkeypatch, tmp_path):
     assert layfigure(capfd, monkeypatch, "run", path, "--most-steps", 10**6)[:2] == (0, "250000\n")
 
 
-def test_a_script_may_name_an_interpolation_of_a_plug_in(capfd, monkeypatch, tmp_path):
-    path, plugin = tmp_path / "a.lay", tmp_path / "bounce.py"
-    path.write_text("m[1,1] = FRAME 3 POSITION 1,2,3 INTERPOLATE bounce\nPRINT duration(m)")
-    plugin.write_text(
+@pytest.fixture
+def plugin(tmp_path):
+    """Return the file of a plug-in with an interpolation."""
+    path = tmp_path / "bounce.py"
+    path.write_text(
         "from layfigure.plugins.hookspecs import hookimpl\n"
         "from layfigure.plugins.records import Interpolation\n\n\n"
         "@hookimpl\ndef layfigure_interpolations():\n"
         '    """Return one."""\n'
         '    return [Interpolation("bounce", "Bounce", ease=lambda u: u * u)]\n'
     )
+    return path
+
+
+def test_a_script_may_name_an_interpolation_of_a_plug_in(capfd, monkeypatch, tmp_path, plugin):
+    path = tmp_path / "a.lay"
+    path.write_text("m[1,1] = FRAME 3 POSITION 1,2,3 INTERPOLATE bounce\nPRINT duration(m)")
     assert layfigure(capfd, monkeypatch, "run", path)[0] == 2
     assert layfigure(capfd, monkeypatch, "run", path, "--plugin", plugin)[:2] == (0, "3\n")
+
+
+def test_a_motion_that_nothing_can_play_is_not_right(capfd, monkeypatch, tmp_path, plugin):
+    path = tmp_path / "a.motion"
+    path.write_text("layfigure motion 1\njoint a\n0 0 0 0\n5 0 0 9 bounce\n")
+    status, _, err = layfigure(capfd, monkeypatch, "check", path)
+    assert status == 2 and f'{path}:4:9: found "bounce"' in err
+    assert layfigure(capfd, monkeypatch, "check", path, "--plugin", plugin)[0] == 0

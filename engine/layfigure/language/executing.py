@@ -93,7 +93,7 @@ class Executor:
         value = self.scope.find(name.name)
         acting = self.stage.acting(name.name) if self.stage and isinstance(value, Image) else None
         with blamed(name.place):
-            return symbols(model, acting)
+            return symbols(model, acting, self.run.curves)
 
     def _load(self, node: syntax.Load) -> None:
         from layfigure.language.loading import load

@@ -17,6 +17,7 @@ from layfigure.motions.joints import joints_of
 from layfigure.motions.keys import DEFAULT
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import written
+from layfigure.motions.standard import Curves
 from layfigure.poses.pose_file import write_pose
 from layfigure.scenes.animating import Animate
 
@@ -29,8 +30,12 @@ def shown(value: object) -> str:
     return kind_of(value)
 
 
-def symbols(model: Model, acting: tuple[np.ndarray, Animate | None, int] | None) -> str:
-    """Return a model's symbol table; ``acting`` is how it stands, which ANIMATE moves it, and the frame."""
+def symbols(model: Model, acting: tuple[np.ndarray, Animate | None, int] | None, curves: Curves) -> str:
+    """Return a model's symbol table; ``acting`` is how it stands, which ANIMATE moves it, and the frame.
+
+    Raises:
+        LayfigureError: a key of the motion names an interpolation that ``curves`` does not have.
+    """
     if acting is None:
         return symbol_table(model, np.zeros((len(model.figure.limbs), 3)))
     angles, animate, frame = acting
@@ -40,7 +45,7 @@ def symbols(model: Model, acting: tuple[np.ndarray, Animate | None, int] | None)
         duration = animate.motion.duration
         if time <= duration or (animate.repeat and duration):
             known = joints_of(model.figure)
-            states = animate.motion.states(time % duration if animate.repeat and duration else time)
+            states = animate.motion.states(time % duration if animate.repeat and duration else time, curves)
             for joint, axes in states.items():
                 for limb in known.get(joint, ()):
                     velocities[limb] = [float(axis.velocity) for axis in axes]

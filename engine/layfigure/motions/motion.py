@@ -153,9 +153,9 @@ class Motion:
         states = self.states(time, curves)
         return {joint: (float(x.value), float(y.value), float(z.value)) for joint, (x, y, z) in states.items()}
 
-    def end(self) -> dict[str, Angles]:
-        """Return the angles that the motion ends with."""
-        return self.at(self.duration)
+    def end(self, curves: Curves = STANDARD) -> dict[str, Angles]:
+        """Return the angles that the motion ends with; raises as :meth:`at` does."""
+        return self.at(self.duration, curves)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Motion):
@@ -318,17 +318,17 @@ class Motion:
         until = self.duration + more
         return Motion(until, held(self.tracks, self.duration, until), self.marks)
 
-    def then(self, other: Motion) -> tuple[Motion, SeamReport]:
-        """Return this motion followed by another, and what jumps at the seam."""
+    def then(self, other: Motion, curves: Curves = STANDARD) -> tuple[Motion, SeamReport]:
+        """Return this motion followed by another, and what jumps at the seam; raises as :meth:`at` does."""
         from layfigure.motions.seams import seam_between
 
-        return self + other, seam_between(self, other)
+        return self + other, seam_between(self, other, curves=curves)
 
-    def loop(self) -> SeamReport:
-        """Return what jumps where the motion is repeated, from its end to its beginning."""
+    def loop(self, curves: Curves = STANDARD) -> SeamReport:
+        """Return what jumps where the motion is repeated, from its end to its beginning; raises as :meth:`at` does."""
         from layfigure.motions.seams import seam_between
 
-        return seam_between(self, self)
+        return seam_between(self, self, curves=curves)
 
     def marked(self, time: Rational, name: str) -> Motion:
         """Return the motion with a mark (an event); marks move with time as it is scaled, reversed and joined.

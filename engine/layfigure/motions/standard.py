@@ -26,6 +26,11 @@ STANDARD: Curves = MappingProxyType(
 )
 
 
+def with_plugins(added: Mapping[str, Interpolation]) -> Curves:
+    """Return the engine's own interpolations and those that plug-ins added (``host.interpolations``)."""
+    return MappingProxyType({**STANDARD, **added})
+
+
 def interpolation(known: Curves, how: str) -> Interpolation:
     """Return the interpolation of that id among the known ones.
 

@@ -39,9 +39,9 @@ def motion_of(document: Document) -> Motion:
 
 def known_curves(host: Host) -> Curves:
     """Return every interpolation there is: the engine's own and those of plug-ins."""
-    from layfigure.motions.standard import STANDARD
+    from layfigure.motions.standard import with_plugins
 
-    return {**STANDARD, **host.interpolations}
+    return with_plugins(host.interpolations)
 
 
 def poses_at(document: Document, frames: Sequence[Fraction], curves: Curves) -> tuple[Pose, ...]:

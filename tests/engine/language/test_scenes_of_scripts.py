@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 from layfigure.errors import SourceError
+from layfigure.language.programme import run_text
+from layfigure.motions.standard import STANDARD
+from layfigure.plugins.records import Interpolation
 
 CAST = """
 a :- BOX WIDTH 1, HEIGHT 2, DEPTH 1; b :- a
@@ -123,6 +126,14 @@ def test_the_symbol_table_in_a_body_is_of_the_frame(run):
     angle, velocity = (float(word) for word in tables[20].split()[-3:-1])
     assert angle == 40
     assert velocity > 0
+
+
+def test_the_symbol_table_knows_the_interpolations_of_plug_ins(tmp_path):
+    square = Interpolation("square", "Square", lambda u: u * u)
+    cast = CAST.rstrip() + " INTERPOLATE square\n"
+    text = cast + scene("ANIMATE m USING turn\nPRINT $m") + "SHOOTSCENES"
+    tables = run_text(text, tmp_path / "a.lay", curves={**STANDARD, "square": square}).printed
+    assert float(tables[2].split()[-3]) == 20
 
 
 def test_what_is_seldom_meant_is_warned_of(run):

@@ -13,6 +13,8 @@ from layfigure.motions.clamping import merged
 from layfigure.motions.motion import Motion
 from layfigure.motions.sampling import frame_times, sample
 from layfigure.motions.seams import seams
+from layfigure.motions.standard import STANDARD
+from layfigure.plugins.records import Interpolation
 from layfigure.poses.pose import Pose
 
 HUMANOID = load_figure("humanoid")
@@ -152,6 +154,14 @@ def test_a_seam_report_names_the_worst_jump_in_degrees_and_degrees_a_second():
     assert BEND.loop().worst.jump == 90 and BOW.then(BEND)[1].seams == ()
     assert BEND.then(BEND)[0] == BEND + BEND and str(BOW.then(BEND)[1]) == "no seams"
     assert seams(10 * WALK).worst.joint == "spine"
+
+
+@pytest.mark.parametrize("asked", [Motion.end, Motion.loop, lambda m, curves: m.then(m, curves)])
+def test_ends_and_seams_know_the_interpolations_that_they_are_given(asked):
+    swing = Motion.of({5: [(12, (0, 0, 90), "square")]})
+    with pytest.raises(LayfigureError, match="square"):
+        asked(swing, curves=STANDARD)
+    assert asked(swing, curves={**STANDARD, "square": Interpolation("square", "Square", lambda u: u * u)})
 
 
 def test_too_many_samples_are_refused_before_they_are_made():

@@ -28,11 +28,11 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     """
     from layfigure.configuration import load_configuration
     from layfigure.motions.motion_file import load_motion
-    from layfigure.motions.standard import STANDARD
+    from layfigure.motions.standard import with_plugins
     from layfigure.scenes.film import Filming, film_of_motion
 
     studio = studio_of(asked, choice)
-    curves = {**STANDARD, **studio.host.interpolations}
+    curves = with_plugins(studio.host.interpolations)
     file = load_motion(source, curves)
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)

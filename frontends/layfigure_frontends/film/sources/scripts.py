@@ -27,12 +27,12 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice, limits: 
     """
     from layfigure.errors import LayfigureError
     from layfigure.language import run_script
-    from layfigure.motions.standard import STANDARD
+    from layfigure.motions.standard import with_plugins
 
     if asked.view is not None:
         raise LayfigureError("--view is for poses and motions; a script says itself from where its scenes are seen")
     studio = studio_of(asked, choice)
-    programme = run_script(source, limits, {**STANDARD, **studio.host.interpolations})
+    programme = run_script(source, limits, with_plugins(studio.host.interpolations))
     scenes = programme.scenes
     if not scenes:
         raise LayfigureError(f"{source}: shoots no scene; define one and end with SHOOTSCENES")
