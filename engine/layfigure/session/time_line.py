@@ -84,6 +84,7 @@ def time_line(shown: Document, track: Rectangle, number: int, view: ViewState) -
         last=float(last),
         end=float(motion.duration),
         playhead=float(shown.playhead),
+        spoken=written(shown.playhead),
         keys=_thinned(mine),
         others=_thinned([frame for frame in of_any if frame not in chosen]),
         marks=tuple((float(mark.time), mark.name) for mark in motion.marks),

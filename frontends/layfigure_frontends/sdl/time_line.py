@@ -93,12 +93,11 @@ def _playhead(canvas: Canvas, line: TimeLine, middle: int) -> None:
     if not line.every:
         shapes.disc(canvas.surface, (x, middle), canvas.pixels(4), canvas.theme.accent)
         return
-    text = f"{line.playhead:.4g}"
-    wide = canvas.width(text, SMALL) + canvas.pixels(10)
+    wide = canvas.width(line.spoken, SMALL) + canvas.pixels(10)
     centred = Rectangle(x - wide // 2, box.y + canvas.pixels(1), wide, canvas.pixels(NUMBERS + 1))
     tag = _within(line, centred, canvas.pixels(EDGE))
     shapes.rounded(canvas.surface, tag, canvas.pixels(4), canvas.theme.accent)
-    canvas.text(tag, text, SMALL, canvas.theme.on_accent, "centre")
+    canvas.text(tag, line.spoken, SMALL, canvas.theme.on_accent, "centre")
 
 
 def _within(line: TimeLine, box: Rectangle, edge: int) -> Rectangle:

@@ -9,7 +9,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
 from layfigure.session.events import KeyEvent, PointerEvent
-from layfigure.session.frame import Size, TimeLine
+from layfigure.session.frame import Label, Size, TimeLine
 from layfigure.session.log import parse_log
 from layfigure.session.motion_files import shipped_motions
 from layfigure.session.replay import open_log, play
@@ -385,6 +385,13 @@ def test_it_shows_the_keys_of_what_is_selected_apart_from_others(moving):
     assert line.keys == (0, 24) and line.others == (12,)
     moving.execute(f"select {ARM}")
     assert line_of(moving).keys == (0, 12, 24)
+
+
+@pytest.mark.parametrize("frame", ["12345", "1/3", "0.1", "7"])
+def test_it_names_the_playhead_as_the_words_beside_it_do(moving, frame):
+    moving.execute(f"frame-at {frame}")
+    words = [widget.text for widget in moving.frame(SIZE).widgets if isinstance(widget, Label)]
+    assert line_of(moving).spoken == frame and f"{frame} / 48" in words
 
 
 def test_a_press_and_drag_on_it_scrubs_and_is_one_line_of_the_log(moving):
