@@ -59,7 +59,7 @@ def _verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:
             play_log(choice, log)
             return f"right; {len(log.commands)} commands play to the end"
         case ".motion":
-            return _motion_verdict(path)
+            return _motion_verdict(path, choice)
         case ".lay":
             return _script_verdict(path, limits, choice)
         case suffix:
@@ -67,11 +67,13 @@ def _verdict(path: Path, limits: Limits, choice: PluginChoice) -> str:
             raise FileError(f'{path}:1:1: cannot tell what a "{suffix}" file is; it must end in {known}')
 
 
-def _motion_verdict(path: Path) -> str:
+def _motion_verdict(path: Path, choice: PluginChoice) -> str:
     from layfigure.motions.motion_file import load_motion
     from layfigure.motions.numbers import written
+    from layfigure.motions.standard import STANDARD
+    from layfigure_frontends.opening import open_host
 
-    motion = load_motion(path).motion
+    motion = load_motion(path, {**STANDARD, **open_host(choice).interpolations}).motion
     joints, keys = len(motion.tracks), motion.key_count
     counts = f"{joints} joint{'s' * (joints != 1)}, {keys} key{'s' * (keys != 1)}"
     return f"right; {written(motion.duration)} frames, {counts}"
