@@ -13,7 +13,7 @@ from layfigure_frontends import command_line
 
 BAD = Path(__file__).resolve().parents[1] / "bad"
 EXPECTED = tomllib.loads((BAD / "expected.toml").read_text(encoding="utf-8"))
-FILES = sorted(path for kind in ("fig", "pose", "log") for path in (BAD / kind).glob(f"*.{kind}"))
+FILES = sorted(path for kind in ("fig", "pose", "log", "motion") for path in (BAD / kind).glob(f"*.{kind}"))
 
 
 def check(path: Path, capfd, monkeypatch) -> tuple[int, str, float]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +19,6 @@ from layfigure.motions.standard import Curves, interpolation
 from layfigure.plugins.records import Interpolation
 
 Floats = NDArray[np.float64]
-_WHOLE = (-np.inf, np.inf)
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,62 +189,71 @@ def _edge(h: Floats, d: Floats, k: Floats, e: Floats) -> Floats:
     return np.asarray(np.where(slope * d <= 0, 0.0, np.where(steep, 3 * d, slope)))
 
 
+class _Line(NamedTuple):
+    """One piece: where it begins, its six rows of the table, and for an eased one its frames and which ease."""
+
+    begin: float
+    rows: Sequence[Sequence[float]]
+    frames: float = 1.0
+    ease: int = -1
+
+
 def _stretch(span: Span, curves: Curves, eases: Sequence[Interpolation]) -> _Block:
     """Return the pieces of one span with ways of any kind."""
     times = [float(key.time) for key in span.keys]
     values = [[float(v) for v in key.values] for key in span.keys]
     held = (span.begin < span.keys[0].time, span.keys[-1].time < span.end)
     curve = SpanCurve(times, values, [key.how for key in span.keys], held, curves)
-    rows = [_still(float(span.begin), values[0])] if held[0] else []
-    for index, (begin, _) in enumerate(pairwise(times)):
+    lines = [_still(float(span.begin), values[0])] if held[0] else []
+    for index, begin in enumerate(times[:-1]):
         ways = [curve.way(component, index) for component in range(3)]
+        if isinstance(ways[0][0], Eased):
+            lines.append(_eased(begin, ways, eases))
+            continue
         bounds = _WHOLE
         if span.keys[index + 1].how == DEFAULT:
-            rows.append(_cubics(begin, ways, np.sort([values[index], values[index + 1]], axis=0)))
-        elif isinstance(ways[0][0], Eased):
-            rows.append(_eased(begin, ways, eases))
-        else:
-            rows += [_cubics(begin + since, parts, bounds) for since, parts in _aligned(ways)]
-    rows.append(_still(times[-1], values[-1]))
-    return _Block(*(np.concatenate(part) for part in zip(*rows, strict=True)))
+            ends = list(zip(values[index], values[index + 1], strict=True))
+            bounds = ([min(pair) for pair in ends], [max(pair) for pair in ends])
+        lines += [_cubics(begin + since, parts, bounds) for since, parts in _aligned(ways)]
+    lines.append(_still(times[-1], values[-1]))
+    begins, rows, frames, ease = zip(*lines, strict=True)
+    return _Block(np.array(begins), np.array(rows), np.array(frames), np.array(ease))
 
 
-def _still(begin: float, values: Sequence[float]) -> _Block:
-    table = np.zeros((1, 6, 3))
-    table[0, 0] = table[0, 4] = table[0, 5] = values
-    return _Block(np.array([begin]), table, np.ones(1), np.full(1, -1))
+_WHOLE: tuple[list[float], list[float]] = ([-np.inf] * 3, [np.inf] * 3)
+_NONE = [0.0] * 3
 
 
-def _cubics(begin: float, ways: Sequence[Way], bounds: object) -> _Block:
-    table = np.zeros((1, 6, 3))
-    for component, (piece,) in enumerate(ways):
-        assert isinstance(piece, Piece)
-        table[0, :4, component] = [float(c) for c in piece[1:]]
-    table[0, 4:] = np.reshape(np.asarray(bounds, dtype=np.float64), (2, -1))
-    return _Block(np.array([begin]), table, np.ones(1), np.full(1, -1))
+def _still(begin: float, values: Sequence[float]) -> _Line:
+    return _Line(begin, [values, _NONE, _NONE, _NONE, values, values])
 
 
-def _eased(begin: float, ways: Sequence[Way], eases: Sequence[Interpolation]) -> _Block:
-    table = np.zeros((1, 6, 3))
-    table[0, 4:] = np.reshape(_WHOLE, (2, 1))
-    for component, (eased,) in enumerate(ways):
-        assert isinstance(eased, Eased)
-        table[0, :2, component] = eased.start, eased.change
-    (eased,) = ways[0]
-    assert isinstance(eased, Eased)
-    return _Block(np.array([begin]), table, np.array([float(eased.frames)]), np.array([eases.index(eased.record)]))
+def _cubics(begin: float, parts: Sequence[Piece], bounds: tuple[list[float], list[float]]) -> _Line:
+    _, *coefficients = zip(*parts, strict=True)
+    return _Line(begin, [[float(c) for c in row] for row in coefficients] + list(bounds))
 
 
-def _aligned(ways: Sequence[Way]) -> Iterator[tuple[float, list[list[Piece]]]]:
-    """Yield (frames since the key, one piece per component), cut wherever any of the components is."""
-    starts = [np.concatenate([[0.0], np.cumsum([float(piece.frames) for piece in way])]) for way in ways]
-    total = min(float(start[-1]) for start in starts)
-    cuts = sorted({float(cut) for start in starts for cut in start[:-1] if cut < total} | {0.0})
+def _eased(begin: float, ways: Sequence[Way], eases: Sequence[Interpolation]) -> _Line:
+    eased = [way[0] for way in ways if isinstance(way[0], Eased)]
+    starts, changes = [float(way.start) for way in eased], [float(way.change) for way in eased]
+    return _Line(begin, [starts, changes, _NONE, _NONE, *_WHOLE], float(eased[0].frames), eases.index(eased[0].record))
+
+
+def _aligned(ways: Sequence[Way]) -> Iterator[tuple[float, list[Piece]]]:
+    """Yield (frames since the key, a piece per component), cut wherever any of the components is."""
+    rows = [[piece for piece in way if isinstance(piece, Piece)] for way in ways]
+    starts = [[0.0, *accumulate(float(piece.frames) for piece in row)] for row in rows]
+    if starts[0] == starts[1] == starts[2]:
+        yield from zip(starts[0][:-1], (list(parts) for parts in zip(*rows, strict=True)), strict=True)
+        return
+    total = min(start[-1] for start in starts)
+    cuts = sorted({cut for start in starts for cut in start[:-1] if cut < total})
     for cut, end in pairwise([*cuts, total]):
-        parts = []
-        for way, start in zip(ways, starts, strict=True):
-            number = int(np.searchsorted(start[1:-1], cut, side="right"))
-            piece = way[number]
-            assert isinstance(piece, Piece)
-            parts.append([piece.later(cut - float(start[number]), end - cut)])
-        yield cut, parts
+        numbers = [bisect_right(start[1:-1], cut) for start in starts]
+        yield (
+            cut,
+            [
+                row[number].later(cut - start[number], end - cut)
+                for row, number, start in zip(rows, numbers, starts, strict=True)
+            ],
+        )

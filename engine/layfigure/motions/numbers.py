@@ -25,6 +25,8 @@ def rational(value: object, what: str = "the number") -> Fraction:
     if isinstance(value, Fraction):
         return bounded(value, what)
     text = _text(value, what)
+    if text.isdecimal() and text.isascii() and len(text) <= MAXIMUM_DIGITS:
+        return Fraction(int(text))
     if not _NUMBER.fullmatch(text):
         raise LayfigureError(f"{what} is {text[:40]!r}, which is no finite number; write one such as 12, 0.5 or 1/3")
     try:

@@ -6,6 +6,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import NamedTuple
 
 from layfigure.errors import PluginError
@@ -16,7 +17,7 @@ from layfigure.plugins.records import Interpolation
 
 MAXIMUM_PIECES = 64
 _STEP = 2.0**-17  # of an ease, for its slope: half the digits of a float
-_KEPT = 10**12  # a carried velocity is kept to this fraction, or its digits would grow from key to key
+_KEPT = 10**12  # a carried velocity is a whole number of these parts: exact, its digits would grow from key to key
 
 
 class State(NamedTuple):
@@ -77,6 +78,7 @@ def _same(value: float, like: Number) -> Number:
 
 
 Way = Sequence[Piece] | tuple[Eased]
+_Carried = tuple[Number | None, Number]
 
 
 class SpanCurve:
@@ -99,7 +101,7 @@ class SpanCurve:
         self._records = [interpolation(known, how) for how in hows]
         self._smooth = all(how == DEFAULT for how in hows)
         self._holds = holds
-        self._walked: tuple[list[Way], ...] = ([], [], [])
+        self._carried: tuple[list[_Carried], ...] = ([], [], [])
 
     def way(self, component: int, index: int) -> Way:
         """Return the pieces from key ``index`` to the next, in one component.
@@ -109,21 +111,37 @@ class SpanCurve:
         """
         if self._smooth:
             start = self._monotone(component, index) if index or self._holds[0] else None
-            return self._made(component, index, start, 0)
-        walked = self._walked[component]
-        while len(walked) <= index:  # each takes up what the one before it leaves
-            walked.append(self._made(component, len(walked), *self._left(component)))
-        return walked[index]
+            return self._made(component, index, (start, 0))
+        return self._made(component, index, self._arriving(component, index))
 
-    def _left(self, component: int) -> tuple[Number | None, Number]:
-        """Return velocity and acceleration at the end of what was walked, None where nothing has moved yet."""
-        walked = self._walked[component]
-        if not walked:
-            return (0 * self._times[0] if self._holds[0] else None), 0
-        last = walked[-1][-1]
-        return _kept(last.velocity(last.frames)), _kept(last.acceleration(last.frames))
+    def _arriving(self, component: int, index: int) -> _Carried:
+        """Return velocity and acceleration that a key is arrived at with; each way takes up what the one before leaves.
 
-    def _made(self, component: int, index: int, velocity: Number | None, acceleration: Number) -> Way:
+        On Fractions they are carried in floats, and rounded.
+        """
+        if self._quick is not self:
+            velocity, acceleration = self._quick._arriving(component, index)
+            return (None if velocity is None else _kept(velocity)), _kept(acceleration)
+        carried = self._carried[component]
+        if not carried:
+            carried.append((0.0 if self._holds[0] else None, 0.0))
+        while len(carried) <= index:
+            last = self._made(component, len(carried) - 1, carried[-1])[-1]
+            carried.append((last.velocity(last.frames), last.acceleration(last.frames)))
+        return carried[index]
+
+    @cached_property
+    def _quick(self) -> SpanCurve:
+        """The same curve in floats."""
+        if not isinstance(self._times[0], Fraction):
+            return self
+        first = self._times[0]
+        times = [float(time - first) for time in self._times]  # so that a shifted span has the same bits
+        values = [[float(value) for value in row] for row in zip(*self._columns, strict=True)]
+        known = {record.id: record for record in self._records}
+        return SpanCurve(times, values, [record.id for record in self._records], self._holds, known)
+
+    def _made(self, component: int, index: int, arriving: _Carried) -> Way:
         column, record = self._columns[component], self._records[index + 1]
         start, end = column[index], column[index + 1]
         frames = self._times[index + 1] - self._times[index]
@@ -131,7 +149,7 @@ class SpanCurve:
             return (Eased(frames, start, end - start, record),)
         assert record.pieces is not None
         smooth = self._monotone(component, index), self._monotone(component, index + 1)
-        segment = Segment(start, end, frames, velocity, acceleration, *smooth)
+        segment = Segment(start, end, frames, *arriving, *smooth)
         if record.id in _OWN:
             return record.pieces(segment)
         return _checked(record, segment)
@@ -155,10 +173,8 @@ class SpanCurve:
 _OWN = frozenset({"cubic", "linear", "accelerate", "decelerate", "accdcc"})
 
 
-def _kept(velocity: Number) -> Number:
-    if isinstance(velocity, Fraction) and velocity.denominator > _KEPT:
-        return Fraction(round(velocity * _KEPT), _KEPT)
-    return velocity
+def _kept(rate: Number) -> Fraction:
+    return Fraction(round(rate * _KEPT), _KEPT)
 
 
 def _checked(record: Interpolation, segment: Segment) -> Sequence[Piece]:
