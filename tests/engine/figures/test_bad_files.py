@@ -9,12 +9,14 @@ import pytest
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.library import load_figure
+from layfigure.motions.motion_file import load_motion
+from layfigure.motions.standard import STANDARD
 from layfigure.poses.pose_file import load_pose
 
 BAD = Path(__file__).resolve().parents[2] / "bad"
 ALL = tomllib.loads((BAD / "expected.toml").read_text(encoding="utf-8"))
 EXPECTED = {name: answer for name, answer in ALL.items() if not name.startswith("log/")}
-LOADERS = {".fig": load_figure, ".pose": load_pose}
+LOADERS = {".fig": load_figure, ".pose": load_pose, ".motion": lambda path: load_motion(path, STANDARD)}
 
 
 def complaint(path: Path) -> str:
@@ -29,8 +31,8 @@ def complaint(path: Path) -> str:
     return sentence
 
 
-def test_every_bad_figure_and_pose_has_an_expected_answer():
-    found = {f"{path.parent.name}/{path.name}" for kind in ("fig", "pose") for path in (BAD / kind).iterdir()}
+def test_every_bad_figure_pose_and_motion_has_an_expected_answer():
+    found = {f"{path.parent.name}/{path.name}" for kind in ("fig", "pose", "motion") for path in (BAD / kind).iterdir()}
     assert found == set(EXPECTED)
 
 
