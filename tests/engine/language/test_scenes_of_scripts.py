@@ -160,7 +160,7 @@ def test_what_is_seldom_meant_is_warned_of(run):
         (scene("x = 1", length="0"), "LENGTH must be 1 or more"),
         (scene("x = 1", length="1/2"), "must be a whole number, but is the number 0.5"),
         (scene("x = 1", length="5 SAMEFRAME 0"), "SAMEFRAME must be 1 or more"),
-        (scene("x = 1", length="10 ** 9"), "--most-pictures"),
+        (scene("x = 1", length="10 ** 9"), "more than 5000 pictures"),
         (scene("SHOOTSCENES"), "SHOOTSCENES stands behind the scenes"),
         (scene(scene("x = 1")), "a scene stands in no other scene"),
     ],
