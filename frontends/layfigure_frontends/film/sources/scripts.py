@@ -32,14 +32,16 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice, limits: 
     if asked.view is not None:
         raise LayfigureError("--view is for poses and motions; a script says itself from where its scenes are seen")
     studio = studio_of(asked, choice)
-    programme = run_script(source, limits, with_plugins(studio.host.interpolations))
+    size = shaped(asked.size, USUAL)
+    curves = with_plugins(studio.host.interpolations)
+    programme = run_script(source, limits, curves, size.width / size.height)
     scenes = programme.scenes
     if not scenes:
         raise LayfigureError(f"{source}: shoots no scene; define one and end with SHOOTSCENES")
     rate = asked.rate or RATE
     return Film(
         reels_of(scenes, studio),
-        shaped(asked.size, USUAL),
+        size,
         rate,
         telling=told(scenes, rate),
         warnings=programme.warnings + warned(scenes),
