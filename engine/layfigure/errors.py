@@ -23,6 +23,14 @@ class SourceError(LayfigureError):
         self.message = message
 
 
+class LimitError(SourceError):
+    """A text that asks for more than it may: ``limit`` names the bound, a field of ``layfigure.language.Limits``."""
+
+    def __init__(self, where: tuple[str | Path, int, int], message: str, limit: str) -> None:
+        super().__init__(*where, message)
+        self.limit = limit
+
+
 class FileError(LayfigureError):
     """A file that cannot be read or written at all."""
 

@@ -10,6 +10,7 @@ import click
 
 from layfigure import __version__
 from layfigure.errors import LayfigureError
+from layfigure_frontends.mistakes import told
 
 _COMMANDS = {
     "pose": "Pose a figure: the main job (the default).",
@@ -82,7 +83,7 @@ def main() -> None:
     try:
         status = layfigure.main(standalone_mode=False)
     except LayfigureError as error:
-        _fail(str(error))
+        _fail(told(error))
     except click.ClickException as error:
         _fail(f"{error.format_message()} (layfigure --help shows what there is)")
     except (click.Abort, KeyboardInterrupt):

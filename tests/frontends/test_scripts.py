@@ -130,8 +130,19 @@ def test_an_option_raises_a_limit(capfd, monkeypatch, tmp_path):
     path = tmp_path / "a.lay"
     path.write_text("FOR i = 1 TO 250000\nENDFOR\nPRINT i")
     status, _, err = layfigure(capfd, monkeypatch, "run", path)
-    assert status == 2 and err.endswith("raise the limit with --most-steps\n")
+    assert status == 2 and err.endswith("; raise the limit with --most-steps\n")
     assert layfigure(capfd, monkeypatch, "run", path, "--most-steps", 10**6)[:2] == (0, "250000\n")
+    assert layfigure(capfd, monkeypatch, "check", path)[2].endswith("; raise the limit with --most-steps\n")
+
+
+def test_an_option_lets_a_script_save_elsewhere(capfd, monkeypatch, tmp_path):
+    path = tmp_path / "in" / "a.lay"
+    path.parent.mkdir()
+    path.write_text('m[1, 1] = FRAME 3 POSITION 1, 2, 3\nSAVE m, "../m.motion"')
+    status, _, err = layfigure(capfd, monkeypatch, "run", path)
+    assert status == 2 and err.endswith("; --outside lets it save elsewhere\n")
+    assert layfigure(capfd, monkeypatch, "run", path, "--outside")[0] == 0
+    assert (tmp_path / "m.motion").is_file()
 
 
 @pytest.fixture

@@ -9,6 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure.errors import LayfigureError
+from layfigure.suggestions import did_you_mean
+
 
 class Rectangle(NamedTuple):
     """A pixel rectangle: left, top, width, height."""
@@ -47,6 +50,19 @@ PLAIN = Look(antialias=False, hemisphere=False, shadow=False, grid=False)
 SMOOTH = Look(antialias=True, hemisphere=False, shadow=False, grid=False)
 RECOMMENDED = Look()
 LOOKS = {"plain": PLAIN, "smooth": SMOOTH, "full": RECOMMENDED}
+
+
+def look_of(name: str) -> Look:
+    """Return a look by name.
+
+    Raises:
+        LayfigureError: there is none; the sentence names the nearest.
+    """
+    try:
+        return LOOKS[name]
+    except KeyError:
+        hint = did_you_mean(name, LOOKS)
+        raise LayfigureError(f'there is no look "{name}"{hint}; there are {", ".join(LOOKS)}') from None
 
 
 def _no_bytes() -> NDArray[np.uint8]:

@@ -10,8 +10,8 @@ import numpy as np
 from layfigure.language import syntax
 from layfigure.language.evaluating import blamed
 from layfigure.language.executing import Executor
-from layfigure.language.framing import framed
-from layfigure.language.stage import Point, Stage, Take
+from layfigure.language.stage import Stage, Take
+from layfigure.scenes.framing import Seen, framed
 from layfigure.scenes.picture import Actor, ScenePicture, Shooting
 
 _JUMP = 1.0  # degrees that a repeated motion may jump before it is told
@@ -22,9 +22,7 @@ class _Picture(NamedTuple):
 
     behind: tuple[Actor, ...]
     takes: tuple[Take, ...]
-    point: Point | None
-    target: Point | None
-    width: float | None
+    seen: Seen
     floor: float | None
 
 
@@ -54,7 +52,7 @@ def _shooting(executor: Executor, number: int, block: syntax.SceneBlock) -> Shoo
     for first in range(0, length, together):
         shots.append(_picture(executor, block, range(first, min(first + together, length)), standing))
     with blamed(block.place):
-        shooting = run.stage.finish(number, _placed(shots))
+        shooting = run.stage.finish(number, _placed(shots, run.aspect))
     _warn(executor, shooting, block)
     return shooting
 
@@ -75,19 +73,19 @@ def _picture(executor: Executor, block: syntax.SceneBlock, frames: range, standi
         stage.frame, stage.behind = frame, []
         executor.scope.set(syntax.Identifier(block.place, "frame", "FRAME"), frame)
         executor.block(block.body)
-        seen = seen or (stage.point, stage.target, stage.width)
+        seen = seen or Seen(stage.point, stage.target, stage.width)
         behind += stage.behind
         takes += stage.takes(executor.scope)
     executor.run.meter.count("actors", len(behind) + len(takes), block.place)
     assert seen is not None
-    return _Picture(tuple(behind), tuple(takes), *seen, stage.floor)
+    return _Picture(tuple(behind), tuple(takes), seen, stage.floor)
 
 
-def _placed(shots: list[_Picture]) -> list[ScenePicture]:
+def _placed(shots: list[_Picture], aspect: float) -> list[ScenePicture]:
     """Return the pictures; where the script does not say what is seen, everything is."""
     actors = _actors([take for shot in shots for take in shot.takes])
     shown = [(*shot.behind, *(next(actors) for _ in shot.takes)) for shot in shots]
-    cameras = framed([(shot.point, shot.target, shot.width) for shot in shots], shown)
+    cameras = framed([shot.seen for shot in shots], shown, aspect)
     return [ScenePicture(who, camera, shot.floor) for who, camera, shot in zip(shown, cameras, shots, strict=True)]
 
 

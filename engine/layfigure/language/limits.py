@@ -1,4 +1,4 @@
-"""How much a script may do: bounds that a stranger's script cannot pass, each with the option that raises it."""
+"""How much a script may do: bounds that a stranger's script cannot pass, each of which can be raised."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MAXIMUM_NESTING = 100  # of brackets and of blocks: what the interpreter's own s
 
 @dataclass(frozen=True)
 class Limits:
-    """How much a script may do before it is refused; ``layfigure run --most-steps 10000000`` raises a bound.
+    """How much a script may do before it is refused.
 
     ``steps`` counts statements and operations, work on long motions by their keys; ``keys`` those of one motion;
     ``pictures`` and ``actors`` (figures in them, backgrounds included) those of all scenes together; ``volumes`` those
@@ -58,12 +58,12 @@ class Meter:
         """Count steps.
 
         Raises:
-            SourceError: they are more than allowed.
+            LimitError: they are more than allowed.
         """
         self.steps += count
         if self.steps > self.limits.steps:
             most = self.limits.steps
-            raise place.error(f"the script takes more than {most} steps; is a loop endless? {raised('steps')}")
+            raise place.beyond("steps", f"the script takes more than {most} steps; see whether a loop is endless")
 
     def work(self, what: str, number: int, place: Place) -> None:
         """Count work on many things of a kind by the steps that each stands for.
@@ -77,61 +77,55 @@ class Meter:
         """Count pictures, actors, volumes, files or bytes.
 
         Raises:
-            SourceError: they are more than allowed.
+            LimitError: they are more than allowed.
         """
         self._counts[what] += number
         most = getattr(self.limits, what)
         if self._counts[what] > most:
-            counted = _COUNTED.get(what, f"takes more than {most} {what}").format(most)
-            raise place.error(f"the script {counted}; {raised(what)}")
+            raise place.beyond(what, f"the script {_COUNTED[what].format(most)}")
 
     def number(self, value: int | Fraction, place: Place) -> int | Fraction:
         """Return a number that has no more digits than allowed, whole ones as int.
 
         Raises:
-            SourceError: it has more.
+            LimitError: it has more.
         """
         if isinstance(value, Fraction):
             if value.denominator > self._largest:
-                raise place.error(f"this fraction has more than {self.limits.digits} digits; {raised('digits')}")
+                raise place.beyond("digits", f"this fraction has more than {self.limits.digits} digits")
             if value.denominator == 1:
                 value = value.numerator
         if not -self._largest < value < self._largest:
-            raise place.error(f"this number has more than {self.limits.digits} digits; {raised('digits')}")
+            raise place.beyond("digits", f"this number has more than {self.limits.digits} digits")
         return value
 
     def text(self, value: str, place: Place) -> str:
         """Return a string that is no longer than allowed.
 
         Raises:
-            SourceError: it is.
+            LimitError: it is.
         """
         if len(value) > self.limits.letters:
-            raise place.error(f"this string has more than {self.limits.letters} letters; {raised('letters')}")
+            raise place.beyond("letters", f"this string has more than {self.limits.letters} letters")
         return value
 
     def printed(self, value: str, place: Place) -> str:
         """Count the letters of what is printed and return it.
 
         Raises:
-            SourceError: all that was printed is more than allowed.
+            LimitError: all that was printed is more than allowed.
         """
         self._counts["letters"] += len(value)
         most = 100 * self.limits.letters
         if self._counts["letters"] > most:
-            raise place.error(f"the script prints more than {most} letters; {raised('letters')}")
+            raise place.beyond("letters", f"the script prints more than {most} letters")
         return value
 
     def keys(self, number: int, place: Place) -> None:
         """Refuse a motion of more keys than allowed.
 
         Raises:
-            SourceError: it has more.
+            LimitError: it has more.
         """
         if number > self.limits.keys:
-            raise place.error(f"this motion would have more than {self.limits.keys} keys; {raised('keys')}")
-
-
-def raised(what: str) -> str:
-    """Return the clause that says how to raise a limit."""
-    return f"raise the limit with --most-{what}"
+            raise place.beyond("keys", f"this motion would have more than {self.limits.keys} keys")

@@ -14,7 +14,7 @@ from layfigure.language.blocks import nested
 from layfigure.language.building import Builder
 from layfigure.language.expecting import Found, found_instead, wrong_beginning
 from layfigure.language.layout import laid_out
-from layfigure.language.limits import Meter, raised
+from layfigure.language.limits import Meter
 from layfigure.language.places import Place
 from layfigure.language.syntax import Block
 
@@ -26,8 +26,8 @@ def parse_script(text: str, source: str, meter: Meter) -> Block:
         SourceError: the first mistake, with line, column, what was found and what could stand there.
     """
     if len(text) > meter.limits.script:
-        message = f"the script has more than {meter.limits.script} letters; {raised('script')}, or load parts of it"
-        raise Place(source, 1, 1).error(message)
+        message = f"the script has more than {meter.limits.script} letters; load parts of it"
+        raise Place(source, 1, 1).beyond("script", message)
     clean = laid_out(text, source)
     try:
         tree = grammar().parse(clean)

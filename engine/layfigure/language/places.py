@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from layfigure.errors import SourceError
+from layfigure.errors import LimitError, SourceError
 
 
 class Place(NamedTuple):
@@ -17,3 +17,7 @@ class Place(NamedTuple):
     def error(self, message: str) -> SourceError:
         """Return the error of a mistake at this place."""
         return SourceError(self.source, self.line, self.column, message)
+
+    def beyond(self, limit: str, message: str) -> LimitError:
+        """Return the error of what goes beyond a limit at this place; ``limit`` is a field of ``Limits``."""
+        return LimitError(self, message, limit)

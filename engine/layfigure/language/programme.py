@@ -15,6 +15,7 @@ from layfigure.language.places import Place
 from layfigure.language.run import Run, Saving
 from layfigure.language.scope import Scope
 from layfigure.motions.standard import STANDARD, Curves
+from layfigure.scenes.framing import ASPECT
 from layfigure.scenes.picture import Shooting
 
 
@@ -41,26 +42,32 @@ class Programme:
         return tuple(saving.path for saving in self.savings)
 
 
-def run_script(path: Path, limits: Limits | None = None, curves: Curves = STANDARD) -> Programme:
+def run_script(
+    path: Path, limits: Limits | None = None, curves: Curves = STANDARD, aspect: float = ASPECT
+) -> Programme:
     """Return what a ``.lay`` file comes to; nothing is drawn and nothing is written.
 
-    ``curves`` are the interpolations that motions may name: ``host.interpolations`` where plug-ins count.
+    ``curves`` are the interpolations that motions may name, those of plug-ins where they count
+    (:func:`layfigure.motions.standard.with_plugins`). Where the script leaves to the program how much is seen, pictures
+    that are ``aspect`` times as wide as high hold all of it.
 
     Raises:
         FileError: the file cannot be read.
         SourceError: the script has a mistake, or does more than the limits allow; with line and column.
     """
-    return run_text(read_text(path, maximum_bytes=MAXIMUM_BYTES), path, limits, curves)
+    return run_text(read_text(path, maximum_bytes=MAXIMUM_BYTES), path, limits, curves, aspect)
 
 
-def run_text(text: str, path: Path, limits: Limits | None = None, curves: Curves = STANDARD) -> Programme:
+def run_text(
+    text: str, path: Path, limits: Limits | None = None, curves: Curves = STANDARD, aspect: float = ASPECT
+) -> Programme:
     """Return what the text of a script comes to; ``path`` names it in messages, and its folder holds its files.
 
     Raises:
         SourceError: as for :func:`run_script`.
     """
     meter = Meter(limits or Limits())
-    run = Run(meter, path.parent, curves)
+    run = Run(meter, path.parent, curves, aspect)
     run.reading = (path,)
     meter.count("bytes", len(text), Place(str(path), 1, 1))
     block = parse_script(text, str(path), meter)

@@ -10,6 +10,7 @@ from layfigure.language.limits import Meter
 from layfigure.language.places import Place
 from layfigure.language.scope import Scope
 from layfigure.motions.standard import STANDARD, Curves
+from layfigure.scenes.framing import ASPECT
 from layfigure.scenes.performing import Stage
 from layfigure.scenes.picture import Shooting
 
@@ -34,12 +35,13 @@ class Defined:
 class Run:
     """The state of a run: what was printed, warned of, saved and shot, and the scenes and models in between.
 
-    ``folder`` is the script's own.
+    ``folder`` is the script's own; ``aspect`` is the width of its pictures by their height.
     """
 
     meter: Meter
     folder: Path
     curves: Curves = field(default_factory=lambda: STANDARD)
+    aspect: float = ASPECT
     printed: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     savings: list[Saving] = field(default_factory=list)

@@ -36,7 +36,7 @@ def saving(executor: Executor, node: syntax.Save) -> Saving:
     if path.suffix.lower() != suffix:
         raise place.error(f"{values.kind_of(value)} is saved in a file that ends in {suffix}")
     if not run.meter.limits.outside and not _inside(path, run.folder):
-        raise place.error("a script saves into its own folder and those below; --outside lets it save elsewhere")
+        raise place.beyond("outside", "a script saves into its own folder and those below")
     if isinstance(value, Motion):
         run.meter.work("keys", value.key_count, place)
     with blamed(place):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable
 from dataclasses import fields
 from functools import lru_cache
 
@@ -11,35 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
+from layfigure.files.digests import joined
 from layfigure.scenes.camera import SceneCamera
 from layfigure.scenes.picture import Actor, ScenePicture, Shooting
-
-SIZE = 16  # bytes of a digest
 
 
 def digest(shown: ScenePicture | Shooting) -> bytes:
     """Return 16 bytes that stand for all that a picture, or a scene's pictures in their order, say of what is seen.
 
-    Names do not count, only shapes, colours, angles, places, cameras and the floor; -0.0 is 0.0. What it is drawn with
-    is the drawer's to add (:meth:`layfigure.scenes.drawing.PictureDrawer.digest`).
+    Names do not count, only shapes, colours, angles, places, cameras and the floor; -0.0 is 0.0. Size,
+    renderer, look, theme and palette are for the keeper of a cache to add.
     """
     if isinstance(shown, Shooting):
         return joined(digest(picture) for picture in shown.pictures)
     cameras = [_camera(camera) for camera in (shown.camera, *shown.sides)]
     floor = b"none" if shown.floor is None else _numbers(shown.floor)
-    return joined([*map(_actor, shown.actors), b"seen", *cameras, b"on", floor])
+    return joined([*map(of_actor, shown.actors), b"seen", *cameras, b"on", floor])
 
 
-def joined(parts: Iterable[bytes]) -> bytes:
-    """Return the digest of byte strings in their order, which no other list of strings has."""
-    summed = hashlib.blake2b(digest_size=SIZE)
-    for part in parts:
-        summed.update(len(part).to_bytes(8, "little"))
-        summed.update(part)
-    return summed.digest()
-
-
-def _actor(actor: Actor) -> bytes:
+def of_actor(actor: Actor) -> bytes:
+    """Return 16 bytes that stand for a figure's content, its angles and its place."""
     return joined([_figure(actor.figure), _numbers(actor.angles), _numbers(actor.translation)])
 
 

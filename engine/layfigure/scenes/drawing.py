@@ -15,9 +15,8 @@ from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Renderer, RendererObject
-from layfigure.scenes import digests
 from layfigure.scenes.listing import Lister, Paper
-from layfigure.scenes.picture import ScenePicture, Shooting
+from layfigure.scenes.picture import ScenePicture
 from layfigure.session.theme import view_theme
 from layfigure.suggestions import did_you_mean
 
@@ -50,7 +49,7 @@ class PictureDrawer:
         width, height = self.studio.size
         if not (0 < width <= MAXIMUM_SIDE and 0 < height <= MAXIMUM_SIDE):
             raise LayfigureError(f"a picture of {width}x{height} pixels; each side must be 1 to {MAXIMUM_SIDE}")
-        self._host, self._record = host, _renderer(host, self.studio.renderer)
+        self._host, self._record = host, renderer_of(host, self.studio.renderer)
         if self._record.compiled:
             compiled.load()
         self._renderer: RendererObject = host.call(self._record, "making the renderer", self._record.make)
@@ -71,14 +70,6 @@ class PictureDrawer:
         self._host.call(self._record, "drawing", self._renderer.draw, scene, Target(pixels), look)
         return pixels
 
-    def digest(self, shown: ScenePicture | Shooting) -> bytes:
-        """Return 16 bytes that stand for a picture, or for all of a scene's, as this drawer draws it.
-
-        They are the same in every process with the same release of the program, of plug-ins that draw, and of palettes
-        and themes.
-        """
-        return digests.joined([digests.digest(shown), repr(self.studio).encode()])
-
     def _colours(self, figure: Figure) -> NDArray[np.uint8]:
         return _rgb(figure, self.studio.palette)
 
@@ -90,7 +81,12 @@ def _rgb(figure: Figure, palette: str) -> NDArray[np.uint8]:
     return colours
 
 
-def _renderer(host: Host, name: str) -> Renderer:
+def renderer_of(host: Host, name: str) -> Renderer:
+    """Return a renderer by name.
+
+    Raises:
+        LayfigureError: there is none; the sentence names the nearest.
+    """
     try:
         return host.renderers[name]
     except KeyError:

@@ -8,18 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from layfigure.drawing.bounds import extents, volume_points
 from layfigure.drawing.render_list import Rectangle
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.forward import limb_begins, limb_ends, place
 from layfigure.models.articulated import Model
 from layfigure.motions.motion import RATE, Motion
 from layfigure.motions.numbers import Rational, rational
 from layfigure.motions.sampling import frame_times, sample
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.poses.pose import Pose
-from layfigure.scenes.camera import Point, SceneCamera, flipped
+from layfigure.scenes.camera import Point, SceneCamera
+from layfigure.scenes.framing import ASPECT, holding, reach, script_point
 from layfigure.scenes.listing import layout
 from layfigure.scenes.performing import MAXIMUM_IMAGES, Who, figure_of
 from layfigure.scenes.picture import Actor, ScenePicture, Shooting
@@ -36,8 +35,6 @@ DIRECTIONS: dict[str, Point] = {
 }
 """Where cameras stand, in script coordinates, seen from what they look at."""
 SHEET = ("front", "right", "top")
-_MARGIN = 1.14  # how much more than the figure a picture holds
-_BLOCK = 1000  # frames placed at a time
 _NOMINAL = 6000  # pixels of height that shapes of pictures are worked out with
 
 
@@ -54,7 +51,7 @@ class Filming:
     view: str = "three-quarter"
     fps: Rational = RATE
     rate: Rational = RATE
-    aspect: float = 4 / 3
+    aspect: float = ASPECT
     floor: bool = True
     follow: bool = False
     loop: bool = False
@@ -104,7 +101,7 @@ def film_of_motion(
     run = _run(who, sampled.angles, sampled.translations, asked.follow)
     boxes = layout(max(round(_NOMINAL * asked.aspect), 1), _NOMINAL, len(directions))
     cameras = [_cameras(run, direction, box) for direction, box in zip(directions, boxes, strict=True)]
-    floor = float(_reach(run, np.eye(3), False)[0][1]) if asked.floor else None
+    floor = float(reach(run.figure, run.angles, run.translations, tips=True)[0][1]) if asked.floor else None
     pictures = []
     for actor, (camera, *sides) in zip(_actors(run), zip(*cameras, strict=True), strict=True):
         pictures.append(ScenePicture((actor,), camera, floor, tuple(sides)))
@@ -139,35 +136,14 @@ def _actors(run: _Run) -> Iterator[Actor]:
 def _cameras(run: _Run, direction: Point, box: Rectangle) -> list[SceneCamera]:
     """Return a camera for every frame; without ``follow`` they are one and the same."""
     rotation = np.array(SceneCamera(direction, 1.0).rotation)
-    low, high = _reach(run, rotation, True)
+    low, high = reach(run.figure, run.angles, run.translations - run.along, rotation, tips=True)
     across, tall = (high - low)[:2]
-    width = max(across, tall * box.width / box.height, 1e-6) * _MARGIN
+    width = holding(across, tall, box.width / box.height)
     middle = rotation.T @ ((low + high) / 2)
     cameras: dict[bytes, SceneCamera] = {}
     for moved in run.along:
         if moved.tobytes() not in cameras:
-            target = flipped(tuple(middle + moved))
-            cameras[moved.tobytes()] = SceneCamera(_point(target + direction), float(width), _point(target))
+            target = script_point(middle + moved)
+            point = (target[0] + direction[0], target[1] + direction[1], target[2] + direction[2])
+            cameras[moved.tobytes()] = SceneCamera(point, width, target)
     return [cameras[moved.tobytes()] for moved in run.along]
-
-
-def _reach(run: _Run, rotation: Floats, relative: bool) -> tuple[Floats, Floats]:
-    """Return the lowest and highest coordinates (3,) of all frames along the rows of ``rotation`` (3, 3).
-
-    ``relative`` counts them from where cameras are taken along.
-    """
-    lows, highs = [], []
-    for first in range(0, len(run.angles), _BLOCK):
-        block = slice(first, first + _BLOCK)
-        moved = run.translations[block] - run.along[block] if relative else run.translations[block]
-        placement = place(run.figure, run.angles[block], moved)
-        ends = np.concatenate([limb_begins(run.figure, placement), limb_ends(run.figure, placement)], axis=1)
-        low, high = extents(run.figure, volume_points(run.figure, placement) @ rotation.T)
-        lows.append(np.concatenate([low, ends @ rotation.T], axis=1).min(axis=(0, 1)))
-        highs.append(np.concatenate([high, ends @ rotation.T], axis=1).max(axis=(0, 1)))
-    return np.min(lows, axis=0), np.max(highs, axis=0)
-
-
-def _point(values: Floats) -> Point:
-    x, y, z = values.tolist()
-    return (x, y, z)

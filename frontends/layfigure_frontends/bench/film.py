@@ -11,6 +11,7 @@ from layfigure.scenes.film import Filming, film_of_motion
 from layfigure.scenes.picture import Shooting
 from layfigure_frontends.bench import scenes
 from layfigure_frontends.bench.rows import Row, median_seconds
+from layfigure_frontends.film.sources.shootings import Drawers, reels_of
 
 PICTURES = 1000
 SIZE = (640, 480)
@@ -21,11 +22,13 @@ def rows(quick: bool) -> list[Row]:
     repeats = 1 if quick else 5
     figure, motion = scenes.humanoid(), _walk()
     filming = Filming(aspect=SIZE[0] / SIZE[1])
-    drawer = PictureDrawer(Host.discover(), Studio(SIZE))
+    host, studio = Host.discover(), Studio(SIZE)
+    drawer = PictureDrawer(host, studio)
     film = film_of_motion(figure, motion, filming)
     plan = median_seconds(lambda: film_of_motion(figure, motion, filming), repeats)
     whole = median_seconds(lambda: _draw(drawer, film_of_motion(figure, motion, filming)), repeats, warm_up=1)
-    told = median_seconds(lambda: [drawer.digest(picture) for picture in film.pictures], repeats)
+    (reel,) = reels_of((film,), Drawers(host, studio))
+    told = median_seconds(lambda: list(reel.digests()), repeats)
     size = f"{SIZE[0]}x{SIZE[1]}"
     return [
         Row("motion", f"{PICTURES} pictures, motion to pixels, recommended look", whole, "s", "<= 5", note=size),

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from layfigure.language.limits import Limits
+from layfigure_frontends.mistakes import told
 from layfigure_frontends.opening import PluginChoice, open_host, plugin_options
 from layfigure_frontends.script import limit_options
 
@@ -27,7 +28,7 @@ def command(paths: tuple[Path, ...], limits: Limits, choice: PluginChoice) -> in
         try:
             click.echo(f"{path}: {_verdict(path, limits, choice)}")
         except LayfigureError as error:
-            click.echo(f"layfigure: {' '.join(str(error).split())}", err=True)
+            click.echo(f"layfigure: {told(error)}", err=True)
             status = 2
     return status
 

@@ -78,9 +78,9 @@ def test_a_script_that_loads_itself_is_refused(run, tmp_path):
         ("LOAD 3", "must be a string in quotes"),
         (f'{KEY}SAVE m, "m.fig"', "is saved in a file that ends in .motion"),
         ('SAVE 3, "m.motion"', "can be saved, but this is a number"),
-        (f'{KEY}SAVE m, "../m.motion"', "--outside"),
-        (f'{KEY}SAVE m, "/tmp/m.motion"', "--outside"),
-        (f'{KEY}SAVE m, "none/../../m.motion"', "--outside"),
+        (f'{KEY}SAVE m, "../m.motion"', "its own folder and those below"),
+        (f'{KEY}SAVE m, "/tmp/m.motion"', "its own folder and those below"),
+        (f'{KEY}SAVE m, "none/../../m.motion"', "its own folder and those below"),
         (
             f'{MODEL}m :- JOINT 8, m, (0,0,0), a, (0,0,0), (0,0), (0,9)\nn :- m <SCALE MODEL -1>\nSAVE n, "n.fig"',
             "mirror",
@@ -106,5 +106,5 @@ def test_saving_elsewhere_is_an_option(run, tmp_path):
 
 def test_a_link_that_leads_outside_is_outside(run, tmp_path, tmp_path_factory):
     (tmp_path / "away").symlink_to(tmp_path_factory.mktemp("elsewhere"))
-    with pytest.raises(SourceError, match="--outside"):
+    with pytest.raises(SourceError, match="its own folder and those below"):
         run(f'{KEY}SAVE m, "away/m.motion"')

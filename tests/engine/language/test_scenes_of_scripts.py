@@ -120,6 +120,13 @@ def test_without_a_width_all_of_the_scene_is_seen_by_a_camera_that_keeps_still(r
     assert 17 < found.pictures[0].camera.width < 21
 
 
+@pytest.mark.parametrize("aspect", [1 / 3, 1, 4 / 3, 16 / 9])
+def test_all_of_a_tall_scene_is_seen_in_pictures_of_any_shape(tmp_path, aspect):
+    text = CAST + scene("BACKGROUND a, a <TRANS (0, 6, 0)>") + "SHOOTSCENES"
+    (found,) = run_text(text, tmp_path / "a.lay", aspect=aspect).scenes
+    assert 8 < found.pictures[0].camera.width / aspect < 10
+
+
 def test_the_symbol_table_in_a_body_is_of_the_frame(run):
     text = scene("ANIMATE m USING turn <SCALE FRAMES 10>\nPRINT $m", length="31")
     tables = run(f"{CAST}{text}SHOOTSCENES").printed
@@ -160,7 +167,7 @@ def test_what_is_seldom_meant_is_warned_of(run):
         (scene("x = 1", length="0"), "LENGTH must be 1 or more"),
         (scene("x = 1", length="1/2"), "must be a whole number, but is the number 0.5"),
         (scene("x = 1", length="5 SAMEFRAME 0"), "SAMEFRAME must be 1 or more"),
-        (scene("x = 1", length="10 ** 9"), "--most-pictures"),
+        (scene("x = 1", length="10 ** 9"), "more than 5000 pictures"),
         (scene("SHOOTSCENES"), "SHOOTSCENES stands behind the scenes"),
         (scene(scene("x = 1")), "a scene stands in no other scene"),
     ],

@@ -221,12 +221,6 @@ def test_whatever_changes_a_picture_changes_its_digest():
     assert len({digest(picture) for picture in [SCENE, *others]}) == len(others) + 1
 
 
-def test_what_it_is_drawn_with_belongs_to_the_drawers_digest(host):
-    drawers = [drawer(host), drawer(host, (150, 200)), drawer(host, look=RECOMMENDED), drawer(host, renderer="stick")]
-    assert len({each.digest(SCENE) for each in drawers}) == 4
-    assert drawer(host).digest(SCENE) == drawers[0].digest(SCENE)
-
-
 def test_a_shootings_digest_is_that_of_its_pictures_in_order():
     one, two = SCENE, replace(SCENE, floor=None)
     digests = {digest(Shooting(1, pictures)) for pictures in ((one,), (two,), (one, two), (two, one), ())}

@@ -1,12 +1,15 @@
 """What was made before: finished films, scenes of films with several, damage, size, and two at a time."""
 
 import os
+import shutil
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from layfigure import resources
+from layfigure_frontends.film.cache.identity import identity
 from layfigure_frontends.film.cache.scenes import KeptReel
 from layfigure_frontends.film.cache.store import Store
 from layfigure_frontends.film.production import produce
@@ -210,3 +213,15 @@ def test_pictures_are_kept_without_loss(cache):
     assert (np.array([*reel.run(SIZE)]) == noise).all()
     disc.draw = None
     assert (np.array([*reel.run(SIZE)]) == noise).all()
+
+
+@pytest.mark.parametrize("file", ["palettes/default.toml", "themes/dark.toml"])
+def test_a_film_is_another_once_the_colours_of_a_palette_or_theme_are(tmp_path, monkeypatch, file):
+    shutil.copytree(resources.folder("data"), tmp_path / "data")
+    monkeypatch.setattr(resources, "folder", lambda kind: tmp_path / kind)
+    film = film_of(Disc(3))
+    before = list(identity(film))
+    assert list(identity(film)) == before
+    text = (tmp_path / "data" / file).read_text()
+    (tmp_path / "data" / file).write_text(text.replace("#", "#0", 1)[: len(text)])
+    assert list(identity(film)) != before

@@ -215,3 +215,11 @@ def test_a_copied_film_needs_neither_numbers_nor_grammar(folder, tmp_path):
     done = [subprocess.run(command, **kept, check=False) for _ in range(2)]
     assert done[0].stdout.startswith("two.mp4\n"), done[0].stderr
     assert done[1].stdout == "two.mp4\n[]\n", done[1].stderr
+
+
+def test_a_scene_that_says_no_width_is_whole_in_pictures_of_the_size_that_is_asked_for(tmp_path):
+    tall = "a :- BOX WIDTH 1, HEIGHT 8, DEPTH 1\nINITIALIZE SCENE 1\nBACKGROUND a\nSTARTSCENE LENGTH 1\nENDSCENE\n"
+    (tmp_path / "tall.lay").write_text(tall + "SHOOTSCENES")
+    film = open_film(tmp_path / "tall.lay", None, replace(ASKED, size=(192, 108)), PluginChoice(safe=True), Limits())
+    ((picture,),) = (reel.pictures.shooting.pictures for reel in film.reels)
+    assert 8 < picture.camera.width * 108 / 192 < 10

@@ -8,12 +8,14 @@ import tempfile
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass
-from hashlib import blake2b
 from pathlib import Path
 from typing import IO, Self
 
+from layfigure.files.digests import joined
+
 MEBIBYTE = 1 << 20
 PART = ".part"
+_KEY = 20  # bytes of a key
 _ABANDONED = 24 * 3600  # seconds after which what a killed process was writing is swept away
 
 
@@ -125,8 +127,4 @@ class Recording:
 
 def key_of(kind: str, parts: Iterable[bytes]) -> str:
     """Return the key of what these parts decide, which no other list of parts has."""
-    summed = blake2b(digest_size=20)
-    for part in parts:
-        summed.update(len(part).to_bytes(8, "little"))
-        summed.update(part)
-    return f"{summed.hexdigest()}.{kind}"
+    return f"{joined(parts, _KEY).hex()}.{kind}"

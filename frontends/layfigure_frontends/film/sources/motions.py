@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from layfigure_frontends.film.choice import FilmChoice, shaped
 from layfigure_frontends.film.reel import Film, Size
-from layfigure_frontends.film.sources.shootings import USUAL, reels_of, studio_of, told, warned
+from layfigure_frontends.film.sources.shootings import USUAL, drawers_of, reels_of, told, warned
 
 if TYPE_CHECKING:
     from layfigure.figures.figure import Figure
@@ -31,25 +31,25 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     from layfigure.motions.standard import with_plugins
     from layfigure.scenes.film import Filming, film_of_motion
 
-    studio = studio_of(asked, choice)
-    curves = with_plugins(studio.host.interpolations)
+    drawers = drawers_of(asked, choice)
+    curves = with_plugins(drawers.host.interpolations)
     file = load_motion(source, curves)
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
     rate = asked.rate or file.rate
     filming = Filming(view, rate, file.rate, size.width / size.height, loop=_goes_round(file.motion, curves))
     usual = load_configuration(choice.config).figure
-    figure = _figure(studio.host, file.figure, source, asked.figure, usual)
+    figure = _figure(drawers.host, file.figure, source, asked.figure, usual)
     shot = film_of_motion(figure, file.motion, filming, curves=curves)
     strange = (f"{figure.name} has no joint {', '.join(shot.unknown)}",) if shot.unknown else ()
     return Film(
-        reels_of((shot,), studio),
+        reels_of((shot,), drawers),
         size,
         rate,
         telling=told((shot,), rate),
         warnings=warned((shot,)) + strange,
-        identity=studio.identity,
-        code=studio.code,
+        identity=drawers.identity,
+        code=drawers.code,
     )
 
 

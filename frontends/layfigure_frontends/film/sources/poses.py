@@ -44,13 +44,13 @@ class PosePictures:
 
     def digest(self, index: int) -> bytes:
         """Return what a pose, its figure and the camera decide."""
-        from layfigure.scenes.camera import SceneCamera
-        from layfigure.scenes.digests import digest, joined
-        from layfigure.scenes.picture import Actor, ScenePicture
+        from layfigure.files.digests import joined
+        from layfigure.scenes.digests import of_actor
+        from layfigure.scenes.picture import Actor
 
         actor = Actor.of(self.session.document.figure, self.poses[index])
         camera = f"{self.options.sheet} {self.options.camera}".encode()
-        return joined([digest(ScenePicture((actor,), SceneCamera((0, 0, 1), 1))), camera])
+        return joined([of_actor(actor), camera])
 
 
 def session_on(source: Path, asked: FilmChoice, choice: PluginChoice) -> Session:

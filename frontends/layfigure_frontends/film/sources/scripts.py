@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from layfigure_frontends.film.choice import FilmChoice, shaped
 from layfigure_frontends.film.reel import Film
-from layfigure_frontends.film.sources.shootings import USUAL, reels_of, studio_of, told, warned
+from layfigure_frontends.film.sources.shootings import USUAL, drawers_of, reels_of, told, warned
 
 if TYPE_CHECKING:
     from layfigure.language import Limits
@@ -31,18 +31,20 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice, limits: 
 
     if asked.view is not None:
         raise LayfigureError("--view is for poses and motions; a script says itself from where its scenes are seen")
-    studio = studio_of(asked, choice)
-    programme = run_script(source, limits, with_plugins(studio.host.interpolations))
+    drawers = drawers_of(asked, choice)
+    size = shaped(asked.size, USUAL)
+    curves = with_plugins(drawers.host.interpolations)
+    programme = run_script(source, limits, curves, size.width / size.height)
     scenes = programme.scenes
     if not scenes:
         raise LayfigureError(f"{source}: shoots no scene; define one and end with SHOOTSCENES")
     rate = asked.rate or RATE
     return Film(
-        reels_of(scenes, studio),
-        shaped(asked.size, USUAL),
+        reels_of(scenes, drawers),
+        size,
         rate,
         telling=told(scenes, rate),
         warnings=programme.warnings + warned(scenes),
-        identity=studio.identity,
-        code=studio.code,
+        identity=drawers.identity,
+        code=drawers.code,
     )

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from layfigure_frontends.film.reel import Reel, Size
@@ -13,9 +13,8 @@ if TYPE_CHECKING:
     from fractions import Fraction
     from pathlib import Path
 
-    from layfigure.drawing.render_list import Look
     from layfigure.plugins.host import Host
-    from layfigure.scenes.drawing import PictureDrawer
+    from layfigure.scenes.drawing import PictureDrawer, Studio
     from layfigure.scenes.picture import Shooting
     from layfigure_frontends.film.choice import FilmChoice
     from layfigure_frontends.film.reel import Pixels
@@ -25,52 +24,49 @@ USUAL = Size(640, 480)
 
 
 @dataclass(frozen=True)
-class Studio:
-    """What draws scenes: the host's renderer of a name, a look, and a theme. Nothing is loaded before it is needed."""
+class Drawers:
+    """What draws scenes in a studio, a drawer for every size."""
 
     host: Host
-    renderer: str
-    look: Look
-    theme: str
-    _drawers: dict[Size, PictureDrawer] = field(default_factory=dict, repr=False, compare=False)
+    studio: Studio
+    _known: dict[Size, PictureDrawer] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def identity(self) -> tuple[str, ...]:
-        """What of this decides how pictures look."""
-        return self.renderer, repr(self.look), self.theme
+        """What of this decides how pictures look, but for their size."""
+        return self.studio.renderer, repr(self.studio.look), self.studio.theme, self.studio.palette
 
     @property
     def code(self) -> tuple[Path, ...]:
         """Where the renderer's code lies."""
-        return code_of(self.host, self.renderer)
+        return code_of(self.host, self.studio.renderer)
 
-    def drawer(self, size: Size) -> PictureDrawer:
+    def of(self, size: Size) -> PictureDrawer:
         """Return what draws pictures of a size.
 
         Raises:
-            LayfigureError: there is no such renderer or theme, or no picture has that size.
+            LayfigureError: there is no such theme, or no picture has that size.
         """
-        if size not in self._drawers:
-            from layfigure.scenes import drawing
+        if size not in self._known:
+            from layfigure.scenes.drawing import PictureDrawer
 
-            asked = drawing.Studio((size.width, size.height), self.renderer, self.look, self.theme)
-            self._drawers[size] = drawing.PictureDrawer(self.host, asked)
-        return self._drawers[size]
+            self._known[size] = PictureDrawer(self.host, replace(self.studio, size=(size.width, size.height)))
+        return self._known[size]
 
 
 @dataclass(frozen=True)
 class ScenePictures:
-    """A scene's pictures in a studio."""
+    """A scene's pictures with what draws them."""
 
     shooting: Shooting
-    studio: Studio
+    drawers: Drawers
 
     def __len__(self) -> int:
         return len(self.shooting.pictures)
 
     def draw(self, index: int, size: Size) -> Pixels:
         """Return a picture."""
-        return self.studio.drawer(size).draw(self.shooting.pictures[index])
+        return self.drawers.of(size).draw(self.shooting.pictures[index])
 
     def digest(self, index: int) -> bytes:
         """Return what actors, camera and ground decide."""
@@ -79,42 +75,26 @@ class ScenePictures:
         return digest(self.shooting.pictures[index])
 
 
-def studio_of(asked: FilmChoice, choice: PluginChoice) -> Studio:
-    """Return the studio that the command line and the configuration ask for.
+def drawers_of(asked: FilmChoice, choice: PluginChoice) -> Drawers:
+    """Return what draws as the command line and the configuration ask for.
 
     Raises:
         LayfigureError: there is no such look or renderer.
     """
     from layfigure.configuration import load_configuration
-    from layfigure.drawing.render_list import LOOKS
+    from layfigure.drawing.render_list import look_of
+    from layfigure.scenes.drawing import Studio, renderer_of
     from layfigure_frontends.opening import open_host
 
     configuration = load_configuration(choice.config)
     host = open_host(choice)
-    renderer = asked.renderer or configuration.renderer
-    known("look", asked.look, LOOKS)
-    known("renderer", renderer, host.renderers)
-    return Studio(host, renderer, LOOKS[asked.look], configuration.theme)
+    renderer = renderer_of(host, asked.renderer or configuration.renderer)
+    return Drawers(host, Studio(renderer=renderer.id, look=look_of(asked.look), theme=configuration.theme))
 
 
-def known(kind: str, name: str, names: Iterable[str]) -> None:
-    """Refuse a name that is not among the known ones.
-
-    Raises:
-        LayfigureError: it is not.
-    """
-    from layfigure.errors import LayfigureError
-    from layfigure.suggestions import did_you_mean
-
-    listed = list(names)
-    if name not in listed:
-        hint = did_you_mean(name, listed)
-        raise LayfigureError(f'there is no {kind} "{name}"; it can be {", ".join(listed)}{hint}')
-
-
-def reels_of(shootings: Sequence[Shooting], studio: Studio) -> tuple[Reel, ...]:
+def reels_of(shootings: Sequence[Shooting], drawers: Drawers) -> tuple[Reel, ...]:
     """Return a reel for every scene that has pictures."""
-    pictures = [ScenePictures(shooting, studio) for shooting in shootings]
+    pictures = [ScenePictures(shooting, drawers) for shooting in shootings]
     return tuple(Reel(each, range(len(each))) for each in pictures if len(each))
 
 
