@@ -1,8 +1,10 @@
 """A motion that plays: by the clock, in a loop or not, and what stops it."""
 
+import numpy as np
 import pytest
 
 from layfigure.errors import ImpossibleError
+from layfigure.motions.sampling import sample
 
 from .conftest import ARM, SIZE, arm, press, shown_frame
 
@@ -133,3 +135,65 @@ def test_no_front_end_without_a_clock_plays(moving):
     moving.playback.ticking = False
     with pytest.raises(ImpossibleError, match="nothing plays here"):
         moving.execute("play")
+
+
+# walking on
+
+
+@pytest.fixture
+def walking(session):
+    """A session that plays the shipped walk in a loop, at a pace of one frame a second, from time 0 on."""
+    session.execute("open walk")
+    session.execute("rate 1")
+    session.playback.ticking = True
+    session.execute("play")
+    session.playback.tick(0.0)
+    return session
+
+
+def test_in_a_loop_a_walking_figure_walks_on_as_if_its_motion_were_repeated(walking):
+    motion, figure = walking.document.motion, walking.document.figure
+    duration = int(motion.duration)
+    moments = [1, duration - 1, duration, duration + 1, 2 * duration + 3, 5 * duration]
+    walked = sample(figure, 6 * motion, moments)
+    for index, moment in enumerate(moments):
+        walking.playback.tick(float(moment))
+        assert shown_frame(walking) == moment % duration
+        assert walking.playback.shown.pose == walked.pose(index)
+    assert np.abs(walked.translations[-1]).max() > 4 * np.abs(walked.translations[1]).max() > 0
+
+
+def test_stopping_a_walk_puts_it_where_the_motion_has_it_at_the_playhead(walking):
+    duration = int(walking.document.motion.duration)
+    walking.playback.tick(3.0 * duration + 5.0)
+    walking.execute("pause")
+    stopped = walking.document
+    assert stopped.playhead == 5 and walking.log[-1] == "frame-at 5"
+    walking.execute("frame-at 0")
+    walking.execute("frame-at 5")
+    assert walking.document.pose == stopped.pose
+    walking.execute("play")
+    assert walking.playback.shown.pose == stopped.pose
+
+
+def test_a_scrub_in_a_later_round_shows_the_plain_pose_again(walking):
+    walking.execute("pause")
+    plain = walking.document.pose
+    walking.execute("play")
+    walking.playback.tick(0.0)
+    walking.playback.tick(2.0 * float(walking.document.motion.duration))
+    assert walking.playback.shown.pose != plain
+    walking.playback.scrub(walking.document.playhead)
+    assert walking.playback.shown.pose == plain
+
+
+def test_a_motion_of_one_frame_goes_on_too(session, tmp_path):
+    (tmp_path / "slide.motion").write_text("layfigure motion 1\nrate 1\njoint place\n0 0 0 0\n1 5 0 0\n", "utf-8")
+    session.execute("open slide")
+    session.playback.ticking = True
+    session.execute("play")
+    went = []
+    for second in range(4):
+        session.playback.tick(float(second))
+        went.append(float(session.playback.shown.pose.translation[0]))
+    assert went == [0, 5, 10, 15] and shown_frame(session) == 0
