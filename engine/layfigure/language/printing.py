@@ -72,7 +72,7 @@ def _motion(motion: Motion) -> str:
 
 def _shape(shape: Shape) -> str:
     low, high = shape.bounds
-    corners = " to ".join(f"({', '.join(decimal(float(x) + 0.0) for x in corner)})" for corner in (low, high))
+    corners = " to ".join(f"({', '.join(decimal(float(x)) for x in corner)})" for corner in (low, high))
     kinds = ", ".join(volume.kind for volume in shape.volumes[:8]) + (", ..." if len(shape.volumes) > 8 else "")
     return f"graphical object of {len(shape.volumes)} volumes ({kinds}), from {corners}"
 

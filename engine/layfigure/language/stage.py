@@ -132,7 +132,7 @@ class Stage:
     ) -> Animate:
         """Return what an ANIMATE says, as the same object while it says the same."""
         known = self._animates.get(id(node))
-        if known is None or known.motion is not motion or (known.first, known.last) != (first, last):
+        if known is None or known.motion is not motion or (known.begin, known.end) != (first, last):
             known = self._animates[id(node)] = Animate(motion, first, last, node.repeat)
         return known
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from layfigure.figures.definition import Dof, Vector
 from layfigure.figures.figure import Limb
+from layfigure.files.decimals import plain
 from layfigure.models.articulated import Model
 from layfigure.models.links import Node
 
@@ -74,19 +75,15 @@ def _symbol_rows(limb: Limb, states: Sequence[Sequence[float]]) -> list[tuple[st
     if not limb.dofs:
         return [(limb.joint_id, limb.name, "fixed", "", "", "", "")]
     return [
-        (limb.joint_id, limb.name, kind, _range(dof), *(_number(state[column]) for state in states))
+        (limb.joint_id, limb.name, kind, _range(dof), *(plain(state[column]) for state in states))
         for column, kind in enumerate(limb.kinds)
         if (dof := limb.dof(kind)) is not None
     ]
 
 
 def _range(dof: Dof) -> str:
-    return f"{_number(dof.low)}..{_number(dof.high)}"
+    return f"{plain(dof.low)}..{plain(dof.high)}"
 
 
 def _point(point: Vector) -> str:
-    return f"({', '.join(_number(value) for value in point)})"
-
-
-def _number(value: float) -> str:
-    return f"{round(value, 6) + 0.0:.7g}"
+    return f"({', '.join(plain(value) for value in point)})"

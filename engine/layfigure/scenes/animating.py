@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -31,6 +31,7 @@ class Animate:
 
     On frame k, both ends included, the model shows ``motion.at(k - first)``, with ``repeat``
     ``motion.at((k - first) mod duration)``; on others it stays as it is. ``last`` None is the end of the scene.
+    ``begin`` and ``end`` are the two frames, exactly.
 
     Raises:
         LayfigureError: a frame is no number, or the last comes before the first.
@@ -40,24 +41,20 @@ class Animate:
     first: Rational = 0
     last: Rational | None = None
     repeat: bool = False
+    begin: Fraction = field(init=False, repr=False, compare=False)
+    end: Fraction | None = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        first = rational(self.first, "FROM")
-        object.__setattr__(self, "first", first)
-        if self.last is not None:
-            last = rational(self.last, "TO")
-            object.__setattr__(self, "last", last)
-            if last < first:
-                raise LayfigureError(f"ANIMATE goes FROM {written(first)} TO {written(last)}; TO must not come before")
-
-    @property
-    def begin(self) -> Fraction:
-        """The first frame, exactly."""
-        return rational(self.first)
+        begin = rational(self.first, "FROM")
+        end = rational(self.last, "TO") if self.last is not None else None
+        if end is not None and end < begin:
+            raise LayfigureError(f"ANIMATE goes FROM {written(begin)} TO {written(end)}; TO must not come before")
+        for name, value in (("first", begin), ("last", end), ("begin", begin), ("end", end)):
+            object.__setattr__(self, name, value)
 
     def shows(self, frame: int) -> bool:
         """Whether the motion is shown on a scene frame."""
-        return self.begin <= frame and (self.last is None or frame <= rational(self.last))
+        return self.begin <= frame and (self.end is None or frame <= self.end)
 
 
 class Moment(NamedTuple):
@@ -91,7 +88,7 @@ class Track:
     def seam(self) -> SeamReport | None:
         """What jumps where the motion begins anew, if the scene lasts until it does."""
         animate = self._animate
-        last = min(Fraction(self._length - 1), rational(animate.last) if animate.last is not None else self._length)
+        last = min(Fraction(self._length - 1), animate.end if animate.end is not None else self._length)
         if not animate.repeat or not animate.motion.duration or last - animate.begin < animate.motion.duration:
             return None
         return seam_between(animate.motion, animate.motion, curves=self._curves)
@@ -111,7 +108,7 @@ class Track:
         goes_on = frame == self._window.stop and self._sampled is not None
         size = min(2 * len(self._window), _MOST) if goes_on else _FEWEST
         animate = self._animate
-        last = self._length - 1 if animate.last is None else min(int(rational(animate.last)), self._length - 1)
+        last = self._length - 1 if animate.end is None else min(int(animate.end), self._length - 1)
         self._window = range(frame, max(min(frame + size, last + 1), frame + 1))
         times = [shown - animate.begin for shown in self._window]
         self._sampled = sample(self._figure, animate.motion, times, curves=self._curves, repeat=animate.repeat)

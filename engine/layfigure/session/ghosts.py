@@ -77,10 +77,14 @@ class GhostKeeper:
 
 @dataclass(frozen=True)
 class Scenery:
-    """What stands behind the figures of a picture: the theme's colours, and ghosts in the working pose's views."""
+    """What stands behind the figures of a picture: the theme's colours, and ghosts in the working pose's views.
+
+    ``trouble`` is a sentence where ghosts were asked for and there can be none.
+    """
 
     theme: ViewTheme
     ghosts: Ghosts = NONE
+    trouble: str = ""
 
 
 def ghost_lists(figure: Figure, scenery: Scenery, shots: Sequence[Shot]) -> Iterator[RenderList]:

@@ -44,8 +44,12 @@ def known_curves(host: Host) -> Curves:
     return with_plugins(host.interpolations)
 
 
-def poses_at(document: Document, frames: Sequence[Fraction], curves: Curves) -> tuple[Pose, ...]:
+def poses_at(
+    document: Document, frames: Sequence[Fraction], curves: Curves, *, repeat: bool = False
+) -> tuple[Pose, ...]:
     """Return the poses at some frames of the motion; joints that it does not name stand as in the present pose.
+
+    With ``repeat`` it goes on beyond its end with another round, the root from where it has got to.
 
     Raises:
         ImpossibleError: there is no motion.
@@ -56,16 +60,18 @@ def poses_at(document: Document, frames: Sequence[Fraction], curves: Curves) -> 
     motion, start = motion_of(document), document.pose
     if PLACE in motion.tracks:
         start = replace(start, translation=0 * start.translation)
-    sampled = sample(document.figure, motion, list(frames), start, curves)
+    sampled = sample(document.figure, motion, list(frames), start, curves, repeat=repeat)
     return tuple(sampled.pose(index) for index in range(len(frames)))
 
 
-def at_frame(document: Document, frame: Fraction, curves: Curves) -> Document:
+def at_frame(document: Document, frame: Fraction, curves: Curves, rounds: int = 0) -> Document:
     """Return the document with the playhead on a frame and its pose what the motion shows there, its locks with it.
 
+    After so many ``rounds`` of the motion the root has got as much further, and the playhead stays in the motion.
     The techniques' states are those from before; :meth:`Workshop.set_pose` tells them.
     """
-    (pose,) = poses_at(document, [frame], curves)
+    elapsed = frame + rounds * motion_of(document).duration
+    (pose,) = poses_at(document, [elapsed], curves, repeat=rounds > 0)
     return replace(document, playhead=frame, pose=pose, locks=anew(document.figure, pose, document.locks))
 
 

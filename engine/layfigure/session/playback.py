@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from layfigure.session.session import Session
 
 NEARLY = 1e-6  # frames: a clock that is so little early is on time
+ROUNDS = 1_000  # after so many a figure that walks is back where it began, before coordinates lose their decimals
 
 
 class Playback:
@@ -30,6 +31,8 @@ class Playback:
         self._session = session
         self._since: tuple[float, float] | None = None  # seconds, and the frame that was due then
         self._pace = 0.0  # frames a second
+        self._rounds = 0  # of the motion that have passed by in a loop
+        self._shown = (Fraction(0), 0)  # the frame that passes by, and its round
         self.ticking = False
         self.parts: list[str] = []  # of a packed motion that a log is giving line by line
 
@@ -60,7 +63,7 @@ class Playback:
         if not self.ticking:
             raise ImpossibleError("nothing plays here; frame-at, step and next-key go through the motion")
         begin = document.playhead if document.playhead < motion_of(document).duration else Fraction(0)
-        self._since, self._pace = None, 0.0
+        self._since, self._pace, self._rounds = None, 0.0, 0
         self._pass_by(begin)
         self._session.view = replace(self._session.view, playing=True)
 
@@ -80,18 +83,25 @@ class Playback:
             frame = float(self.shown.playhead) if self._since is None else self._at(now)
             self._since, self._pace = (now, frame), self._frames_a_second()
         frame, duration = self._at(now), float(motion_of(self._session.document).duration)
-        if frame >= duration and not self._session.view.loop:
+        if frame + NEARLY < duration:
+            self._pass_by(Fraction(math.floor(frame + NEARLY)))
+        elif self._session.view.loop:
+            self._begin_again(now, frame, duration)
+        else:
             self._pass_by(motion_of(self._session.document).duration)
             self.settle()
-        elif frame >= duration:
-            frame %= duration
-            self._since = (now, frame)
-        if self._session.view.playing:
-            self._pass_by(Fraction(math.floor(frame + NEARLY)))
+
+    def _begin_again(self, now: float, frame: float, duration: float) -> None:
+        """Go on with another round: the playhead from the beginning, the root from where it has got to."""
+        passed = math.floor((frame + NEARLY) / duration)
+        frame = max(frame - passed * duration, 0.0)
+        self._since, self._rounds = (now, frame), (self._rounds + passed) % ROUNDS
+        self._pass_by(Fraction(math.floor(frame + NEARLY)))
 
     def scrub(self, frame: Fraction) -> None:
         """Show a frame as long as the time line is dragged along."""
         self._session.view = replace(self._session.view, playing=False)
+        self._rounds = 0
         self._pass_by(frame)
 
     def settle(self) -> None:
@@ -121,9 +131,10 @@ class Playback:
             raise ImpossibleError(f"the motion stands at frame {frame} now, with candidates of its own; choose again")
 
     def _pass_by(self, frame: Fraction) -> None:
-        session = self._session
-        if session.view.passing is None or session.view.passing.playhead != frame:
-            session.view = replace(session.view, passing=at_frame(session.document, frame, known_curves(session.host)))
+        session, shown = self._session, (frame, self._rounds)
+        if session.view.passing is None or self._shown != shown:
+            passing = at_frame(session.document, frame, known_curves(session.host), self._rounds)
+            session.view, self._shown = replace(session.view, passing=passing), shown
             session.revision += 1
 
     def _frames_a_second(self) -> float:

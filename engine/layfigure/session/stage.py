@@ -75,6 +75,7 @@ class Stage:
             panes.append(Pane(candidate, view, rectangle, len(shots)))
             pose = len(poses) - 1 if candidate == SKELETON else candidate + 1
             shots.append(Shot(pose, rectangle, camera, background, self._anchor(candidate, poses[pose])))
+        scenery = self._scenery(shown)
         lines, signs = self._marked(panes, shots, offer)
         widgets = tuple(self._widgets(place, panes, offer, size))
         frame = Frame(
@@ -85,26 +86,28 @@ class Stage:
             lines=lines,
             signs=signs,
             overlay=session.mode.overlay(),
-            status=session.status or offer.note,
+            status=session.status or scenery.trouble or offer.note,
             hints=session.hints(),
             title=f"Layfigure – {session.document.figure.name}",
             text_input=session.mode.state == "palette",
             theme=session.view.theme,
         )
         own, colouring = sum(pane.candidate == WORKING for pane in panes), self._colouring(len(poses), skeleton)
-        picture = Picture(frame, shown.figure, poses, tuple(shots), own, colouring, self._scenery(shown))
+        picture = Picture(frame, shown.figure, poses, tuple(shots), own, colouring, scenery)
         self._picture = self._paged(picture)
         return self._picture
 
     def _scenery(self, shown: Document) -> Scenery:
-        """Return what stands behind the figures; while a motion plays there are no ghosts, which would hide it."""
+        """Return what stands behind the figures; while a motion plays there are no ghosts, which would hide it.
+
+        Where there can be none, the scenery says why: nothing about the session changes because it is looked at.
+        """
         session = self._session
         onion = "" if session.view.playing else session.view.onion
         try:
             return Scenery(session.theme, self._ghosts.of(shown, onion, known_curves(session.host)))
         except LayfigureError as error:  # such as an interpolation whose plug-in has fallen out
-            session.say(str(error))
-            return Scenery(session.theme)
+            return Scenery(session.theme, trouble=str(error))
 
     def _paged(self, picture: Picture) -> Picture:
         """Return a picture that says in its frame whether its page looks as in the picture before."""

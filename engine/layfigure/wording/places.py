@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.figures.spoken import spoken_limb
+from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
 from layfigure.poses.locks import tips_of
 from layfigure.poses.pose import Pose
@@ -24,7 +25,7 @@ def place_words(figure: Figure, pose: Pose, limb: int) -> str:
     """
     placement = place_pose(figure, pose)
     end = tips_of(figure, placement)[limb]
-    numbers = f"x {_plain(end[0])}, y {_plain(end[1])}, z {_plain(end[2])}"
+    numbers = f"x {plain(end[0], 1)}, y {plain(end[1], 1)}, z {plain(end[2], 1)}"
     name = spoken_limb(figure, limb)
     if limb == 0:
         return f"The {name} is at {numbers}."
@@ -62,7 +63,3 @@ def _height(figure: Figure, pose: Pose, height: float) -> str:
     if round(min(levels.values()) - height, 3) > 0.1 * body.height:
         return f"below the {min(levels, key=lambda each: levels[each])}, "
     return f"at the height of the {word}, "
-
-
-def _plain(value: float) -> str:
-    return f"{round(float(value), 1) + 0.0:g}"

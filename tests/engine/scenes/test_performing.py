@@ -53,6 +53,14 @@ def test_on_its_frames_a_model_shows_the_motion_from_its_beginning():
     np.testing.assert_allclose(twists(actors, "neck"), expected, atol=1e-9)
 
 
+def test_frames_are_the_same_however_they_are_written():
+    nod = turn("neck", 20, 10)
+    written, counted = Animate(nod, "0.5", "7/2"), Animate(nod, 0.5, Fraction(7, 2))
+    assert written == counted and hash(written) == hash(counted)
+    assert (written.begin, written.end) == (Fraction(1, 2), Fraction(7, 2))
+    assert [written.shows(frame) for frame in range(5)] == [False, True, True, True, False]
+
+
 def test_before_its_frames_a_model_is_neutral_and_after_them_stays_as_it_was_last():
     actors = shown([Animate(turn("neck", 20, 10, start=5), 2, 4)], 8)
     seen = twists(actors, "neck")

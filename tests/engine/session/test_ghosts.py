@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from layfigure.drawing.render_list import PLAIN, new_target
+from layfigure.plugins.hookspecs import hookimpl
+from layfigure.plugins.records import Command, Interpolation
 from layfigure.session.frame import Size
 from layfigure.session.ghosts import ghosts_of
 from layfigure.session.moments import known_curves
@@ -122,6 +124,35 @@ def test_where_colours_are_few_they_look_like_limbs_that_cannot_move(moving):
     after = kinds()
     new = after[(before == 0) & (after != 0)]
     assert len(new) > 50 and (new == 1).mean() > 0.95
+
+
+class Hopping:
+    """A plug-in with a way from key to key, and a command that fails."""
+
+    @hookimpl
+    def layfigure_interpolations(self):
+        return [Interpolation("hopping", "In hops", ease=lambda share: share)]
+
+    @hookimpl
+    def layfigure_commands(self):
+        return [Command("stumble", "Fail", lambda session, words: 1 / 0)]
+
+
+def test_where_a_way_from_key_to_key_has_fallen_out_the_frame_says_why_there_are_no_ghosts(moving):
+    moving.host.register(Hopping(), "hopping")
+    moving.execute("interpolation hopping 30 all")
+    moving.execute("onion keys")
+    moving.status = ""
+    assert moving.frame(SIZE).status == "" and all(moving.stage.picture.scenery.ghosts)
+    moving.run("stumble")
+    assert "ZeroDivisionError" in moving.frame(SIZE).status
+    moving.execute("onion 5")
+    moving.status = ""
+    assert moving.frame(SIZE).status.startswith('there is no interpolation "hopping"')
+    assert not any(moving.stage.picture.scenery.ghosts) and moving.status == ""
+    moving.execute("onion off")
+    moving.status = ""
+    assert moving.frame(SIZE).status == ""
 
 
 def test_the_page_can_be_left_out_of_a_drawing(moving):

@@ -1,0 +1,109 @@
+"""What was done with a motion, in logs and in files."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from layfigure.errors import LayfigureError
+from layfigure.motions.motion import Motion
+from layfigure.motions.motion_file import load_motion
+from layfigure.session.log import parse_log
+from layfigure.session.motion_files import shipped_motions
+from layfigure.session.replay import open_log, play
+from layfigure.session.session import SessionOptions
+
+from .conftest import SIZE, press
+
+
+def replayed(session):
+    log = parse_log("\n".join(session.log) + "\n", "test.log")
+    again = open_log(session.host, log, SessionOptions(compiled=False))
+    play(again, log)
+    return again
+
+
+def test_everything_done_with_a_motion_replays_to_the_same_bits(moving):
+    for line in ("frame-at 12", "set neck 10 0 0", "key", "stretch 1.5", "interpolation accdcc 18 all", "undo", "redo",
+                 "motion-mirror", "keys-from-candidates candidates 7", "frame-at 10", "flip", "key", "best 2",
+                 "rate 25", "rest all", "keys-from-candidates breath 6", "frame-at 3.5"):  # fmt: skip
+        moving.execute(line)
+    again = replayed(moving)
+    assert again.document.motion == moving.document.motion and again.document.pose == moving.document.pose
+    assert (again.document.playhead, again.document.rate) == (Fraction(7, 2), 25)
+    assert len(again.history.done) == len(moving.history.done)
+
+
+def test_a_saved_motion_reads_back_and_saves_to_the_same_file_again(moving, tmp_path):
+    moving.execute("save bend")
+    found = load_motion(tmp_path / "bend.motion")
+    assert (found.motion, found.figure, found.rate) == (moving.document.motion, "humanoid", 24)
+    moving.execute("stretch 2")
+    moving.execute("save")
+    assert load_motion(tmp_path / "bend.motion").motion == moving.document.motion
+    moving.execute("save still.pose")
+    assert (tmp_path / "still.pose").exists() and (tmp_path / "still.png").exists()
+
+
+def test_an_opened_motion_is_in_the_log_and_needs_no_file_to_replay(moving, tmp_path):
+    moving.execute("save bend")
+    moving.execute("undo")
+    moving.execute("open bend.motion")
+    (tmp_path / "bend.motion").unlink()
+    assert replayed(moving).document.motion == moving.document.motion
+
+
+def test_a_large_motion_is_logged_in_several_lines_none_too_long(session, tmp_path):
+    rng = np.random.default_rng(5)
+    rows = {name: [(f, tuple(map(float, rng.uniform(-1, 1, 3)))) for f in range(400)] for name in ("neck", "spine")}
+    from layfigure.motions.motion_file import save_motion
+
+    motion = Motion.of(rows)
+    save_motion(tmp_path / "noise.motion", motion, session.document.figure)
+    session.execute("open noise")
+    parts = [line for line in session.log if line.startswith("motion")]
+    assert len(parts) > 2 and max(map(len, parts)) < 20_000
+    assert replayed(session).document.motion == motion == session.document.motion
+
+
+def test_parts_of_a_motion_that_was_cut_short_do_no_harm_to_the_next(session):
+    session.execute("motion-part AAAA")
+    session.execute("open walk")
+    assert replayed(session).document.motion == session.document.motion
+
+
+def test_a_motion_brings_its_figure(session, tmp_path):
+    (tmp_path / "turn.motion").write_text("layfigure motion 1\nfigure horse\njoint neck\n0 0 0 0\n", encoding="utf-8")
+    session.execute("open turn")
+    assert session.document.figure.name == "horse" and session.document.motion is not None
+
+
+def test_a_joint_that_the_figure_lacks_is_said(session, tmp_path):
+    (tmp_path / "x.motion").write_text("layfigure motion 1\njoint tail\n0 0 0 0\n12 5 0 0\n", encoding="utf-8")
+    session.execute("open x")
+    assert "the figure does not have tail" in session.status
+
+
+def test_shipped_motions_open_by_name_and_are_not_saved_over(session, tmp_path):
+    assert "walk" in shipped_motions()
+    session.execute("open walk")
+    assert session.document.motion.duration > 0
+    session.execute("save")
+    assert [path.name for path in tmp_path.glob("*.motion")] == ["humanoid-1.motion"]
+    press(session, "ctrl+o")
+    rows = {row[0] for row in session.frame(SIZE).overlay.rows}
+    assert "humanoid-1.motion" in rows and "hop" in rows
+
+
+def test_ones_own_motion_comes_before_a_shipped_one_of_the_same_name(session, tmp_path):
+    (tmp_path / "walk.motion").write_text("layfigure motion 1\njoint neck\n0 0 0 0\n7 5 0 0\n", encoding="utf-8")
+    session.execute("open walk")
+    assert session.document.motion.duration == 7
+
+
+def test_a_bad_file_leaves_all_as_it_was(session, tmp_path):
+    (tmp_path / "x.motion").write_text("layfigure motion 1\njoint neck\n0 0 zero 0\n", encoding="utf-8")
+    before = session.document
+    with pytest.raises(LayfigureError, match=r"x\.motion:3:5"):
+        session.execute("open x")
+    assert session.document is before
