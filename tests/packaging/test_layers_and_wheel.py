@@ -39,6 +39,21 @@ def test_importing_the_engine_or_the_command_line_imports_nothing_heavy():
     assert not heavy & imported_by("import layfigure, layfigure_frontends.command_line")
 
 
+def test_the_options_of_scripts_cost_other_commands_nothing_heavy():
+    heavy = {"numpy", "numba", "pygame", "lark", "PIL", "rich", "pluggy"}
+    assert not heavy & imported_by("from layfigure_frontends.commands import run, check, render")
+
+
+def test_a_first_picture_is_composed_without_the_script_language():
+    composing = (
+        "from layfigure.plugins.host import Host; from layfigure.session.figures import open_figure;"
+        "from layfigure.session.document import Document; from layfigure.session.frame import Size;"
+        "from layfigure.session.session import Session; import layfigure_frontends.commands.pose;"
+        "host = Host.discover(); assert Session(host, Document.new(open_figure(host, 'humanoid'))).frame(Size(1280, 800)).panes"
+    )
+    assert not {"lark", "PIL"} & imported_by(composing)
+
+
 def test_plugins_load_without_numba_or_pygame():
     loading = "from layfigure.plugins.host import Host; host = Host.discover(); assert host.techniques"
     assert not {"numba", "pygame", "PIL"} & imported_by(loading)

@@ -17,6 +17,8 @@ from layfigure.figures.figure import Figure
 _SPHERE, _CYLINDER = VOLUME_KINDS.index("sphere"), VOLUME_KINDS.index("cylinder")
 ROD, BALL = 0.011, 0.022
 """Radii as shares of what a view shows from its middle to its edge."""
+LEFT = 0.5  # of a broken rod's length
+LEAST_ROD, LEAST_BALL = 0.55, 1.1  # pixels: thinner ones slip between the middles of pixels
 
 
 def draw_thin(figure: Figure, thin: NDArray[np.bool_], kinds: NDArray[np.uint8], geometry: Geometry) -> None:
@@ -38,11 +40,25 @@ def draw_thin(figure: Figure, thin: NDArray[np.bool_], kinds: NDArray[np.uint8],
     geometry.radii[others] = 0
 
 
-def without_balls(figure: Figure, listed: RenderList) -> RenderList:
-    """Return a render list of a figure whose limbs are all thin, with bare rods: another kind of ghost."""
-    radii = listed.radii.copy()
-    radii[np.tile(_ranks(figure) == 1, len(listed.rectangles))] = 0
-    return replace(listed, radii=radii)
+def nowhere_too_thin(listed: RenderList) -> RenderList:
+    """Return a render list of limbs that are all thin, with rods a pixel wide at least, as on a terminal's few."""
+    least = np.where(listed.kinds == _SPHERE, np.float32(LEAST_BALL), np.float32(LEAST_ROD))
+    return replace(listed, radii=np.where(listed.radii > 0, np.maximum(listed.radii, least), np.float32(0)))
+
+
+def broken(figure: Figure, listed: RenderList) -> RenderList:
+    """Return a render list of a figure whose limbs are all thin, as bare rods with gaps where the joints are."""
+    ranks = np.tile(_ranks(figure), len(listed.rectangles))
+    radii, points = listed.radii.copy(), listed.points.copy()
+    radii[ranks == 1] = 0
+    points[ranks == 0] = _shortened(points[ranks == 0])
+    return replace(listed, radii=radii, points=points, segments=_shortened(listed.segments))
+
+
+def _shortened(points: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the middles (n, m, 3) of lines that go from the first of m points to the others."""
+    middle = (points[:, :1] + points[:, 1:2]) / 2
+    return np.asarray(middle + np.float32(LEFT) * (points - middle))
 
 
 @lru_cache(maxsize=16)

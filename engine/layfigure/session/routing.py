@@ -66,13 +66,13 @@ def happen(session: Session, outcome: Outcome) -> None:
         case Run(line):
             session.execute(line)
         case Preview(line):
-            session.preview(line)
+            session.preview.show(line)
         case Continue(line):
             _go_on(session, line)
         case Settle(limb):
-            session.settle(limb)
+            session.preview.settle(limb)
         case GiveUp():
-            session.give_up_preview()
+            session.preview.give_up()
             session.playback.give_up()
         case Scrub(frame):
             session.playback.scrub(Fraction(frame))
@@ -83,7 +83,7 @@ def happen(session: Session, outcome: Outcome) -> None:
 def _go_on(session: Session, line: str) -> None:
     """Take a drag's next step; one that cannot be done leaves the figure at the last that could."""
     try:
-        session.preview(line, onward=True)
+        session.preview.show(line, onward=True)
     except ImpossibleError as error:
         session.say(str(error))
 

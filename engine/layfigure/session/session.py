@@ -17,7 +17,6 @@ from layfigure.errors import LayfigureError, PluginError
 from layfigure.plugins.discovery import Found
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, Technique
-from layfigure.poses.packing import pack_pose
 from layfigure.session.bench import Option
 from layfigure.session.commands import BUILT_IN
 from layfigure.session.controls import control_commands
@@ -33,6 +32,7 @@ from layfigure.session.layout import UNIT, Scale
 from layfigure.session.log import header
 from layfigure.session.modes import Mode, Plain
 from layfigure.session.playback import Playback
+from layfigure.session.preview import Preview
 from layfigure.session.rendering import Renderers
 from layfigure.session.routing import route
 from layfigure.session.stage import Stage
@@ -83,7 +83,7 @@ class Session:
         self._renderers = Renderers(host, self.say, compiled=self.options.compiled)
         self._stage = Stage(self)
         self.playback = Playback(self)
-        self._before_preview: Document | None = None
+        self.preview = Preview(self)
         self._key_table: tuple[tuple[Technique, ...], KeyTable] | None = None
         self._faults_seen = 0
         self._left = False  # whether a technique fell out, and the log does not say yet which one took over
@@ -174,7 +174,7 @@ class Session:
         if command is None:
             hint = did_you_mean(line.name, self.commands())
             raise WordError(0, f'there is no command "{line.name[:40]}"{hint}')
-        self.give_up_preview()
+        self.preview.give_up()
         self.playback.make_way(command)
         self._log_leaving()
         self.status = ""
@@ -200,7 +200,7 @@ class Session:
     def offer(self) -> Offer:
         """Return what the technique in use shows; a technique that fails is left for another one."""
         if self.document.technique not in self.host.techniques:
-            self.document = self._in_service(self.document)
+            self.document = self.in_service(self.document)
         try:
             return self.workshop.offer(self.document)
         except PluginError as error:
@@ -223,7 +223,7 @@ class Session:
     def commit(self, title: str, document: Document, *, entry: bool = True) -> None:
         """Make a document the present one; one call is one entry of history."""
         before, self.document = self.document, document
-        if self._before_preview is not None:
+        if self.preview.going_on:
             return
         if entry and not document.same_as(before):
             self.history.record(Change(title, before, document))
@@ -231,46 +231,17 @@ class Session:
 
     def restore(self, document: Document) -> None:
         """Make an older document the present one, as undo and redo do."""
-        before, self.document = self.document, self._in_service(document)
+        before, self.document = self.document, self.in_service(document)
         self.view = replace(self.view, hover=None, selected=self._still_there(self.view.selected))
         self._announce(before)
 
-    def preview(self, text: str, *, onward: bool = False) -> None:
-        """Show what a command line would do, without history or log, until something is run or given up.
-
-        With ``onward`` it is done from where the last preview stands, as the next step of a drag.
-        """
-        self.playback.settle()
-        before = self._before_preview if onward else None
-        if before is None:
-            self.give_up_preview()
-            before = self.document
-        log, self.log = self.log, list(self.log)
-        callback, self.on_logged = self.on_logged, lambda line: None
-        try:
-            self._before_preview = before
-            line = split_line(text)
-            if line is not None and line.name in self.commands():
-                self.commands()[line.name].run(self, line.words)
-        finally:
-            self.log, self.on_logged = log, callback
-
-    @property
-    def previewing(self) -> bool:
-        """Whether what is shown is a preview."""
-        return self._before_preview is not None
-
-    def settle(self, limb: str) -> None:
-        """Make the pose that a drag of a limb's end arrived at one change and one line of the log."""
-        pose = self.document.pose
-        self.give_up_preview()
-        if pose != self.document.pose:
-            self.execute(join_line("dragged", [limb, pack_pose(self.document.figure, pose)]))
-
-    def give_up_preview(self) -> None:
-        """Go back to the document from before a preview."""
-        if self._before_preview is not None:
-            self.document, self._before_preview = self._in_service(self._before_preview), None
+    def in_service(self, document: Document) -> Document:
+        """Return a document whose technique is in service and has a state; plug-ins may have gone since it was made."""
+        states = {name: state for name, state in document.states.items() if name in self.host.techniques}
+        if document.technique in states:
+            return document if len(states) == len(document.states) else replace(document, states=states)
+        self._left = True
+        return self._opened(replace(document, technique="", states=states), document.technique)
 
     def use(self, technique: str) -> None:
         """Switch to another technique; the pose stays exactly as it is."""
@@ -291,7 +262,7 @@ class Session:
         if self.options.keymap:
             self.options = replace(self.options, bindings=load_bindings(self.host, self.options.keymap))
         self._key_table = None
-        self.document = self._in_service(document)
+        self.document = self.in_service(document)
 
     def say(self, sentence: str) -> None:
         """Put a sentence into the status line."""
@@ -361,17 +332,9 @@ class Session:
                     self.say(str(error))
         return document
 
-    def _in_service(self, document: Document) -> Document:
-        """Return a document whose technique is in service and has a state; plug-ins may have gone since it was made."""
-        states = {name: state for name, state in document.states.items() if name in self.host.techniques}
-        if document.technique in states:
-            return document if len(states) == len(document.states) else replace(document, states=states)
-        self._left = True
-        return self._opened(replace(document, technique="", states=states), document.technique)
-
     def _leave_technique(self, reason: str) -> None:
         """Go on without a technique that failed: the pose stays, another technique takes over."""
-        self.document = self._in_service(self.document)
+        self.document = self.in_service(self.document)
         self.say(reason)
 
     def _announce(self, before: Document) -> None:

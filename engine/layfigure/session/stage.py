@@ -215,7 +215,7 @@ class Stage:
         session = self._session
         root = session.playback.shown.pose.translation
         far = np.abs(root - session.view.anchor).max() > FAR * framing(session.document.figure).half_extent
-        if far and not session.previewing:
+        if far and not session.preview.going_on:
             smooth = session.view.passing is not None  # one that walks is accompanied, not caught up with
             x, y, z = self._kept_near(root) if smooth else root.tolist()
             session.view = replace(session.view, anchor=(x, y, z))

@@ -131,7 +131,7 @@ def test_undo_brings_back_the_stored_pose_and_not_what_was_shown(session):
     kept = session.document.pose
     session.execute("select spine")
     session.frame(SIZE)
-    session.preview("set spine 40 0 0")
+    session.preview.show("set spine 40 0 0")
     session.frame(SIZE)
     session.handle(KeyEvent("ctrl+z"))
     session.execute("redo")

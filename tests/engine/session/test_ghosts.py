@@ -1,13 +1,16 @@
 """Onion skins: which moments are shown, where, and how they are told apart from the figure and from each other."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from layfigure.drawing.joint_kinds import coded_as_still, kinds_shown
 from layfigure.drawing.render_list import PLAIN, new_target
 from layfigure.plugins.hookspecs import hookimpl
 from layfigure.plugins.records import Command, Interpolation
 from layfigure.session.frame import Size
-from layfigure.session.ghosts import ghosts_of
+from layfigure.session.ghosts import Ghosts, ghost_lists, ghosts_of
 from layfigure.session.moments import known_curves
 
 SIZE = Size(1280, 800)
@@ -112,8 +115,6 @@ def test_while_it_plays_there_are_none(moving):
 
 
 def test_where_colours_are_few_they_look_like_limbs_that_cannot_move(moving):
-    from layfigure.drawing.joint_kinds import kinds_shown
-
     def kinds():
         frame, target = moving.frame(SIZE), new_target(SIZE.width, SIZE.height)
         moving.draw(frame, target, kinds=True)
@@ -124,6 +125,29 @@ def test_where_colours_are_few_they_look_like_limbs_that_cannot_move(moving):
     after = kinds()
     new = after[(before == 0) & (after != 0)]
     assert len(new) > 50 and (new == 1).mean() > 0.95
+
+
+@pytest.mark.parametrize("size", [SIZE, Size(160, 100, cells=True), Size(80, 48, cells=True)])
+def test_without_colours_too_those_before_are_broken_and_those_after_whole(moving, size):
+    moving.execute("onion keys")
+    moving.kernels_ready()
+    picture = (moving.frame(size), moving.stage.picture)[1]
+    pose = moving.document.pose
+    alike = replace(picture.scenery, ghosts=Ghosts((pose,), (pose,)))
+    before, after = ghost_lists(picture.figure, alike, picture.shots[: picture.own])
+    assert moving.status == "Ghosts of the keys before (cold, broken) and after (warm, whole)."
+    for limb in map(picture.figure.index, ("spine", "leftthigh", "rightforearm")):
+        rods = [listed.points[(listed.parts == limb) & (listed.radii > 0)][0, :2] for listed in (before, after)]
+        lengths = [np.linalg.norm(end - begin) for begin, end in rods]
+        assert lengths[0] == pytest.approx(lengths[1] / 2, rel=1e-3)
+        np.testing.assert_allclose(rods[0].mean(axis=0), rods[1].mean(axis=0), atol=1e-2)
+    assert min(before.radii[before.radii > 0].min(), after.radii[after.radii > 0].min()) > 0.5
+    lit = []
+    for listed in (before, after):
+        target = new_target(size.width, size.height)
+        moving.render(coded_as_still(replace(listed, backgrounds=np.zeros_like(listed.backgrounds))), target, PLAIN)
+        lit.append(np.count_nonzero(kinds_shown(target.pixels)))
+    assert 0 < lit[0] < 0.8 * lit[1]
 
 
 class Hopping:

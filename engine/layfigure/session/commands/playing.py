@@ -136,7 +136,7 @@ def _onion(session: Session, words: tuple[str, ...]) -> None:
     onion = "" if word == "off" else word
     session.view = replace(session.view, onion=onion)
     whose = "the keys" if onion == KEYS else f"{onion} and {2 * int(onion)} frames" if onion else ""
-    session.say(f"Ghosts of {whose} before (cold) and after (warm)." if onion else "No ghosts.")
+    session.say(f"Ghosts of {whose} before (cold, broken) and after (warm, whole)." if onion else "No ghosts.")
 
 
 COMMANDS = (
