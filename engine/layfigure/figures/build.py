@@ -18,6 +18,7 @@ from layfigure.figures.definition import (
     Volume,
 )
 from layfigure.figures.figure import Figure, FigureArrays, Limb, limb_limits
+from layfigure.figures.joint_names import joint_name
 
 MAXIMUM_LIMBS = 250
 MAXIMUM_VOLUMES = 250
@@ -110,7 +111,7 @@ class _Expanded:
             dofs=source.dofs,
             volumes=tuple(_reflect_volume(volume, flip) for volume in source.volumes),
             twin=indices.get(self.twin.casefold(), index),
-            joint=(self.name.removesuffix(source.name) + source.joint).casefold() if source.joint else "",
+            joint=joint_name(self.name.removesuffix(source.name) + source.joint) if source.joint else "",
         )
 
 

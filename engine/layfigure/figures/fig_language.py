@@ -32,6 +32,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from layfigure.drawing.palette import load_palette
+from layfigure.errors import LayfigureError
 from layfigure.figures.build import MAXIMUM_LIMBS, MAXIMUM_VOLUMES
 from layfigure.figures.definition import (
     DOF_KINDS,
@@ -45,6 +46,7 @@ from layfigure.figures.definition import (
     Vector,
     Volume,
 )
+from layfigure.figures.joint_names import joint_name
 from layfigure.figures.solidity import flaw_of
 from layfigure.files.words import Word, WordReader
 
@@ -224,7 +226,10 @@ class _Parser:
         given = self._words.take()
         if given.ends or given.text in "{}":
             self._words.fail(given, f"found {given} where what motions call this joint should stand, as in: id 5")
-        block.joint_id = given.folded
+        try:
+            block.joint_id = joint_name(given.text)
+        except LayfigureError as error:
+            self._words.fail(given, str(error))
 
     def _segment(self, block: _Block, first: Word) -> None:
         self._once(block, "segment", first)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.definition import DOF_KINDS, EULER_KINDS, Dof, LimbDefinition, Volume
+from layfigure.figures.joint_names import joint_name
 from layfigure.suggestions import did_you_mean
 
 Floats = NDArray[np.float64]
@@ -54,7 +55,7 @@ class Limb:
     @property
     def joint_id(self) -> str:
         """What motions call the joint, in lower case."""
-        return self.joint or self.name.casefold()
+        return self.joint or joint_name(self.name)
 
     @property
     def length(self) -> float:

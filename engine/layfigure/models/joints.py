@@ -10,6 +10,7 @@ import numpy as np
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.definition import Dof, Vector
+from layfigure.figures.joint_names import joint_name
 from layfigure.models.numbers import MAXIMUM_NUMBER
 from layfigure.models.volumes import Floats, point_of
 
@@ -19,9 +20,8 @@ UPRIGHT: Frame = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 MAXIMUM_SWING = 180.0
 MAXIMUM_JOINT_NUMBER = 10**9
 
-_MAXIMUM_NAME = 80
-_SEPARATOR = re.compile(r"[\s{}#]")  # of words in .fig files
-_WHOLE = re.compile(r"[-+]?[0-9]{1,40}")
+_WHOLE = re.compile(r"-?[0-9]+")
+_TRANSLATED = re.compile(r"(.*[^0-9+-].*?)([+-][1-9][0-9]{0,9})")  # elbow+10
 _LONGEST_DENOMINATOR = 10**40
 
 
@@ -40,14 +40,14 @@ class JointId:
             LayfigureError: it is neither.
         """
         if isinstance(value, str):
-            return _spelt(value.strip().casefold())
+            return _spelt(joint_name(value))
         if isinstance(value, bool) or not isinstance(value, int | float | Fraction) or value != value // 1:
             raise LayfigureError(f"a joint is called by a whole number or a word, not {value}")
         return JointId("", _bounded(int(value)))
 
     def translated(self, by: int) -> JointId:
         """Return the identifier with a whole number added."""
-        return JointId(self.word, _bounded(self.number + by))
+        return JointId.of(str(JointId(self.word, _bounded(self.number + by))))
 
     def __str__(self) -> str:
         """Return it as motions spell it."""
@@ -146,9 +146,8 @@ def _scaled(dof: Dof, extremes: Fraction) -> Dof:
 def _spelt(word: str) -> JointId:
     if _WHOLE.fullmatch(word):
         return JointId("", _bounded(int(word)))
-    if not word or len(word) > _MAXIMUM_NAME or not word.isprintable() or _SEPARATOR.search(word):
-        raise LayfigureError("a joint is called by a whole number or one short word")
-    return JointId(word, 0)
+    parts = _TRANSLATED.fullmatch(word)
+    return JointId(parts[1], int(parts[2])) if parts else JointId(word, 0)
 
 
 def _bounded(number: int) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import JointLimbs, joint_limbs
 from layfigure.motions.keys import (
     DEFAULT,
     PLACE,
@@ -98,16 +98,18 @@ def from_poses(
         rows.append((2 * rows[-1][0] - rows[-2][0], rows[0][1]))
     end = rows[-1][0] if rows[-1][0] > 0 else Fraction(1)
     tracks: dict[str, tuple[Span, ...]] = {}
-    for joint, limbs in joints_of(figure).items():
-        if limbs[0] in figure.selectable:
-            keys = tuple(Key(time, _angles(pose, limbs[0]), how) for time, pose in rows)
+    movable = frozenset(figure.selectable)
+    for joint, limbs in joint_limbs(figure).items():
+        if not movable.isdisjoint(limbs.limbs):
+            keys = tuple(Key(time, values_of(pose, limbs), how) for time, pose in rows)
             tracks[joint] = (Span(Fraction(0), end, keys),)
     tracks[PLACE] = (Span(Fraction(0), end, tuple(Key(time, place_of(pose), how) for time, pose in rows)),)
     return Motion(end, tracks)
 
 
-def _angles(pose: Pose, limb: int) -> Values:
-    x, y, z = (rational(value, "an angle") for value in pose.angles[limb].tolist())
+def values_of(pose: Pose, joint: JointLimbs) -> Values:
+    """Return what a key of a joint holds where its limbs stand in a pose."""
+    x, y, z = (rational(value, "an angle") for value in joint.read(pose.angles).tolist())
     return (x, y, z)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
 from layfigure.files.decimals import plain
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import joint_limbs
 from layfigure.motions.keys import PLACE, ROOT_JOINT, Key, Span, Values
 from layfigure.motions.motion import Motion
 
@@ -72,24 +72,32 @@ def clamp_samples(
 ) -> tuple[Floats, ClampReport]:
     """Return values (f, j, 3) of limbs (j,) inside the figure's limits, and the report; the root turns freely.
 
-    A degree of freedom that a joint lacks has the limits 0 and 0.
+    A degree of freedom that a joint lacks has the limits 0 and 0. Limbs that share a joint id are one joint, and
+    samples of it are counted once.
     """
     limits = figure.arrays.limits[limbs].copy()
     limits[limbs == 0] = (-np.inf, np.inf)
     kept = np.clip(values, limits[..., 0], limits[..., 1])
+    joints = _first_columns(figure, limbs)
+    samples = values.shape[0] * len(joints)
     if np.array_equal(kept, values):
-        return kept, ClampReport(0, values.shape[0] * values.shape[1])
+        return kept, ClampReport(0, samples)
     over = values - kept
     sizes = np.abs(over)
     worst = np.unravel_index(int(sizes.argmax()), sizes.shape)
-    beyond = sizes > _NOTHING
-    count = int(np.count_nonzero(beyond[..., 0] | beyond[..., 1] | beyond[..., 2]))
-    samples = values.shape[0] * values.shape[1]
+    beyond = (sizes > _NOTHING).any(axis=2)
+    count = int(np.count_nonzero(np.logical_or.reduceat(beyond, joints, axis=1)))
     if not count:
         return kept, ClampReport(0, samples)
     limb, frame = int(limbs[worst[1]]), Fraction(repr(float(times[worst[0]])))
     joint = figure.limbs[limb]
     return kept, ClampReport(count, samples, joint.joint_id, joint.kinds[int(worst[2])], float(over[worst]), frame)
+
+
+def _first_columns(figure: Figure, limbs: NDArray[np.int64]) -> list[int]:
+    """Return at which of limbs (j,) each joint begins; limbs of one joint stand together."""
+    ids = [figure.limbs[limb].joint_id if limb else ROOT_JOINT for limb in limbs.tolist()]
+    return [column for column, joint in enumerate(ids) if not column or joint != ids[column - 1]]
 
 
 def clamped(motion: Motion, figure: Figure) -> tuple[Motion, ClampReport]:
@@ -116,11 +124,9 @@ Bounds = tuple[tuple[Fraction, Fraction], ...]
 def _exact_limits(figure: Figure) -> dict[str, Bounds]:
     """Return the limits of joints by id, of limbs that share one those that all of them have; the root has none."""
     found = {}
-    for joint, limbs in joints_of(figure).items():
+    for joint, limbs in joint_limbs(figure).items():
         if joint not in (ROOT_JOINT, PLACE):
-            box = figure.arrays.limits[list(limbs)]
-            lows, highs = box[..., 0].max(axis=0), box[..., 1].min(axis=0)
-            pairs = zip(lows.tolist(), np.maximum(lows, highs).tolist(), strict=True)
+            pairs = limbs.bounds(figure).tolist()
             found[joint] = tuple((Fraction(repr(low)), Fraction(repr(high))) for low, high in pairs)
     return found
 
@@ -131,7 +137,7 @@ def _inside(values: Values, bounds: Bounds) -> Values:
 
 
 def _keys_report(figure: Figure, joint: str, before: Span, after: Span) -> ClampReport:
-    kinds = figure.limbs[joints_of(figure)[joint][0]].kinds
+    kinds = figure.limbs[joint_limbs(figure)[joint].limbs[0]].kinds
     report = ClampReport(0, len(before.keys), counted="keys")
     for old, new in zip(before.keys, after.keys, strict=True):
         if old != new:

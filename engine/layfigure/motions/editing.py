@@ -8,31 +8,26 @@ from fractions import Fraction
 
 from layfigure.errors import ImpossibleError
 from layfigure.figures.figure import Figure
-from layfigure.motions.building import place_of
-from layfigure.motions.joints import joints_of
-from layfigure.motions.keys import DEFAULT, PLACE, ROOT_JOINT, Key, Span, Values, interpolation_id
+from layfigure.motions.building import place_of, values_of
+from layfigure.motions.joints import joint_limbs, joints_of
+from layfigure.motions.keys import DEFAULT, PLACE, Key, Span, Values, interpolation_id
 from layfigure.motions.motion import Motion
-from layfigure.motions.numbers import rational, written
+from layfigure.motions.numbers import written
 from layfigure.poses.pose import Pose
 
 
 def all_joints(figure: Figure) -> tuple[str, ...]:
     """Return the ids of the joints of a figure that can move, with the root's turn and place."""
     movable = frozenset(figure.selectable)
-    found = (joint for joint, limbs in joints_of(figure).items() if limbs[0] in movable or joint == ROOT_JOINT)
+    found = (joint for joint, limbs in joints_of(figure).items() if not movable.isdisjoint(limbs))
     return (*found, PLACE)
 
 
 def values_in(figure: Figure, pose: Pose, joints: Iterable[str]) -> dict[str, Values]:
     """Return what keys of some joints hold where the figure stands in a pose; joints it does not have are left out."""
-    limbs = joints_of(figure)
-    found = {joint: _angles(pose, limbs[joint][0]) for joint in joints if joint in limbs}
+    limbs = joint_limbs(figure)
+    found = {joint: values_of(pose, limbs[joint]) for joint in joints if joint in limbs}
     return {**found, PLACE: place_of(pose)} if PLACE in joints else found
-
-
-def _angles(pose: Pose, limb: int) -> Values:
-    x, y, z = (rational(value, "an angle") for value in pose.angles[limb].tolist())
-    return (x, y, z)
 
 
 def with_keys(motion: Motion, frame: Fraction, values: Mapping[str, Values]) -> Motion:

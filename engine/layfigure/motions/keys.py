@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from layfigure.errors import LayfigureError
+from layfigure.figures.joint_names import joint_name
 from layfigure.motions.numbers import bounded, written
 
 Values = tuple[Fraction, Fraction, Fraction]
@@ -18,7 +19,6 @@ ROOT_JOINT, PLACE = "root", "place"
 ZERO: Values = (Fraction(0), Fraction(0), Fraction(0))
 
 _SWAPPED = {"accelerate": "decelerate", "decelerate": "accelerate"}
-_JOINT = re.compile(r"[\w.-]{1,80}")
 _HOW = re.compile(r"[a-z][a-z0-9_.-]{0,39}")
 
 
@@ -124,10 +124,7 @@ def joint_id(joint: object) -> str:
     Raises:
         LayfigureError: it cannot be one.
     """
-    name = str(joint).strip().casefold()
-    if not _JOINT.fullmatch(name):
-        raise LayfigureError(f"{str(joint)[:40]!r} is no joint; joints are numbers or names without white space")
-    return name
+    return joint_name(joint)
 
 
 def interpolation_id(how: object) -> str:

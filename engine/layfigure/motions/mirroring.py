@@ -7,7 +7,7 @@ from functools import partial
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import joint_limbs, joints_of
 from layfigure.motions.keys import PLACE, ROOT_JOINT, Values
 from layfigure.motions.motion import Motion
 from layfigure.poses.symmetry import mirror_map
@@ -61,13 +61,17 @@ def mirror(motion: Motion, figure: Figure) -> Motion:
         LayfigureError: two joints would become one.
     """
     partners, signs = mirror_map(figure)
-    known = joints_of(figure)
-    by_limb = {limb: joint for joint, limbs in known.items() for limb in limbs}
+    known = joint_limbs(figure)
+    by_limb = {limb: joint for joint, own in known.items() for limb in own.limbs}
     tracks = {}
     for joint, spans in motion.tracks.items():
-        limb = known[joint][0] if joint in known else None
+        limb = known[joint].limbs[0] if joint in known else None
         to = joint if limb is None else by_limb[int(partners[limb])]
-        sign = (-1, 1, 1) if joint == PLACE else (1, 1, 1) if limb is None else tuple(signs[limb].astype(int).tolist())
+        if limb is None:
+            sign = (-1, 1, 1) if joint == PLACE else (1, 1, 1)
+        else:
+            x, y, z = known[joint].read(signs).astype(int).tolist()
+            sign = (x, y, z)
         if to in tracks:
             raise LayfigureError(f'two joints would become "{to}" in the mirror; {figure.name} is not symmetric there')
         tracks[to] = tuple(span.revalued(partial(_times, signs=sign)) for span in spans)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
 from layfigure.motions.compiling import Compiled, compiled
-from layfigure.motions.keys import PLACE
+from layfigure.motions.keys import PLACE, joint_id
 from layfigure.motions.motion import RATE, Motion
 from layfigure.motions.numbers import Rational, rational
 from layfigure.motions.standard import STANDARD, Curves
@@ -142,7 +142,7 @@ def _per_frame(motion: Motion, given: Rational | Mapping[str, Rational] | None, 
     if given is None:
         return {}
     named = given if isinstance(given, Mapping) else {joint: given for joint in motion.tracks if joint != PLACE}
-    found = {str(joint).casefold(): float(rational(value, "a rate") / frames) for joint, value in named.items()}
+    found = {joint_id(joint): float(rational(value, "a rate") / frames) for joint, value in named.items()}
     if any(value <= 0 for value in found.values()):
         raise LayfigureError("a rate to keep must be over 0")
     return found

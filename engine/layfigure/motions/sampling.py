@@ -14,7 +14,7 @@ from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.motions.clamping import ClampReport, clamp_samples
 from layfigure.motions.compiling import Compiled, compiled
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import joint_limbs
 from layfigure.motions.keys import PLACE
 from layfigure.motions.motion import RATE, Motion
 from layfigure.motions.numbers import Rational, rational
@@ -158,11 +158,11 @@ def _check_count(figure: Figure, moments: _Moments) -> None:
 def _angles(
     figure: Figure, ready: Compiled, moments: _Moments, start: Pose, clamp: bool
 ) -> tuple[Floats, ClampReport, tuple[str, ...]]:
-    known = joints_of(figure)
+    known = joint_limbs(figure)
     driven = [joint for joint in ready.rows if joint in known]
     unknown = tuple(joint for joint in ready.rows if joint not in known and joint != PLACE)
     angles = np.repeat(start.angles[None], len(moments.times), axis=0)
-    limbs = np.array([limb for joint in driven for limb in known[joint]], dtype=np.int64)
+    limbs = np.array([limb for joint in driven for limb in known[joint].limbs], dtype=np.int64)
     if not len(limbs) or not len(angles):
         return angles, ClampReport(), unknown
     values = np.empty((len(moments.times), len(limbs), 3))
@@ -170,10 +170,10 @@ def _angles(
     for joint in driven:
         moved = _values(ready, joint, moments)
         silent = np.isnan(moved[:, 0])
-        for limb in known[joint]:
-            values[:, column] = moved
-            values[silent, column] = start.angles[limb]
-            column += 1
+        columns = slice(column, column + len(known[joint].limbs))
+        values[:, columns] = known[joint].spread(moved)
+        values[silent, columns] = start.angles[list(known[joint].limbs)]
+        column = columns.stop
     report = ClampReport()
     if clamp:
         values, report = clamp_samples(figure, limbs, values, moments.shown)

@@ -17,7 +17,7 @@ from layfigure.kinematics.joints import about_axes, nearest_axis_angles
 from layfigure.kinematics.rotation_vector import rotation_matrix, rotation_vector
 from layfigure.kinematics.swing import angles_of, rotations
 from layfigure.motions.baking import exact
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import joint_limbs
 from layfigure.motions.keys import DEFAULT, Key, Span
 from layfigure.motions.motion import Motion
 from layfigure.motions.size import check_size
@@ -33,17 +33,18 @@ def slerp(motion: Motion, figure: Figure) -> Motion:
     Raises:
         LayfigureError: there would be too many keys.
     """
-    known = joints_of(figure)
+    known = joint_limbs(figure)
     tracks = {}
     check_size(0, motion.duration)
     for joint, spans in motion.tracks.items():
         tracks[joint] = spans
         if joint in known:
-            tracks[joint] = tuple(_turned(span, figure, known[joint][0]) for span in spans)
+            axes, bounds = figure.limbs[known[joint].limbs[0]].euler, known[joint].bounds(figure)
+            tracks[joint] = tuple(_turned(span, axes, bounds) for span in spans)
     return Motion(motion.duration, tracks, motion.marks)
 
 
-def _turned(span: Span, figure: Figure, limb: int) -> Span:
+def _turned(span: Span, axes: bool, bounds: Floats) -> Span:
     check_size(int(span.end - span.begin), span.end)
     keys = [span.keys[0]]
     for left, right in pairwise(span.keys):
@@ -51,24 +52,24 @@ def _turned(span: Span, figure: Figure, limb: int) -> Span:
         inner = [time for time in times if time < right.time]
         shares = [float((time - left.time) / (right.time - left.time)) for time in inner]
         ends = np.array([[float(value) for value in key.values] for key in (left, right)])
-        values = turns_between(figure, limb, ends, shares)
+        values = turns_between(ends, shares, axes, bounds)
         keys += [Key(time, exact(row)) for time, row in zip(inner, values, strict=True)]
         keys.append(right._replace(how=DEFAULT))
     return Span(span.begin, span.end, tuple(keys))
 
 
-def turns_between(figure: Figure, limb: int, ends: Floats, shares: Sequence[float]) -> Floats:
+def turns_between(ends: Floats, shares: Sequence[float], axes: bool, bounds: Floats) -> Floats:
     """Return a joint's angles (f, 3) at shares of the shortest turn between two triples of angles (2, 3), in degrees.
 
-    Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985; here by the rotation vector of the turn.
+    ``axes``: the angles are x, y and z, of which those that suit ``bounds`` (3, 2) best are taken, rather than
+    flexion, pivot and twist. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985; here by the
+    rotation vector of the turn.
     """
-    axes = figure.limbs[limb].euler
     first, last = about_axes(ends) if axes else rotations(ends)
     turn = rotation_vector(first.T @ last)
     found, before = np.empty((len(shares), 3)), ends[0]
-    limits = figure.arrays.limits[limb]
     for number, share in enumerate(shares):
         matrix = first @ rotation_matrix(share * turn)
-        before = nearest_axis_angles(matrix, before, limits) if axes else angles_of(matrix)
+        before = nearest_axis_angles(matrix, before, bounds) if axes else angles_of(matrix)
         found[number] = before
     return found

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from layfigure.figures.figure import Figure
 from layfigure.models.articulated import Model
 from layfigure.motions.clamping import merged
-from layfigure.motions.joints import joints_of
+from layfigure.motions.joints import joint_limbs
 from layfigure.motions.keys import PLACE
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.scenes.animating import Animate, Track
@@ -79,10 +79,10 @@ class Performer:
         if other.figure is self.figure:
             other.angles[:] = self.angles
             return other
-        mine = joints_of(self.figure)
-        for joint, limbs in joints_of(other.figure).items():
+        mine = joint_limbs(self.figure)
+        for joint, theirs in joint_limbs(other.figure).items():
             if joint in mine:
-                other.angles[list(limbs)] = self.angles[mine[joint][0]]
+                other.angles[list(theirs.limbs)] = theirs.spread(mine[joint].read(self.angles))
         return other
 
     @property

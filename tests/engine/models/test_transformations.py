@@ -8,8 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from layfigure.errors import LayfigureError
-from layfigure.figures.library import load_figure
+from layfigure.figures.library import load_figure, read_figure
 from layfigure.models import Link, Model, box, joint, model
+from layfigure.models.joints import JointId
+from layfigure.models.saving import fig_text
+from layfigure.motions.motion import Motion
+from layfigure.motions.sampling import sample
 from layfigure.poses.symmetry import mirror_map
 
 FACTORS = st.fractions(min_value=-4, max_value=4, max_denominator=50).filter(bool)
@@ -167,3 +171,23 @@ def test_a_thousand_small_scalings_stay_bounded(arm):
         arm = arm.scale(1.0001)
     assert abs(float(arm.nodes[1].size) - 1.0001**1000) < 1e-9
     assert arm.nodes[1].size.denominator < 10**60
+
+
+@pytest.mark.parametrize(("name", "by", "known"), [("elbow", 10, "elbow+10"), ("05", 3, "8"), ("Arm-2", 2, "arm")])
+def test_motions_and_figures_can_name_every_joint_that_trans_joints_makes(name, by, known):
+    arm = model(
+        joint(name, Link("a", box(1, 1, 1)), (0, 0, 0), Link("b", box(1, 1, 1)), (0, 1, 0), z=(0, 90))
+    ).trans_joints(by)
+    assert arm.joint_ids == (known,) == Motion.of({known: [(1, (0, 0, 9))]}).joints
+    motion = Motion.of({known: [(4, (0, 0, 9))]})
+    assert Motion.parse(repr(motion)) == motion
+    read = read_figure("arm", fig_text(arm), "arm.fig")
+    assert [limb.joint_id for limb in read.limbs[1:]] == [known]
+    assert sample(read, motion, [4]).unknown == ()
+
+
+def test_a_joint_has_one_name_whatever_zeros_it_is_written_with():
+    arm = model(joint("05", Link("a", box(1, 1, 1)), (0, 0, 0), Link("b", box(1, 1, 1)), (0, 1, 0), z=(0, 90)))
+    read = read_figure("arm", "r { joint 0 0 0 limb { 0 0 0 0 5 0 id 05 zdof 0 90 } }", "arm.fig")
+    assert arm.joint_ids == (read.limbs[1].joint_id,) == Motion.of({"05": [(1, (0, 0, 9))]}).joints == ("5",)
+    assert JointId.of("elbow+10").translated(-10) == JointId.of("elbow")
