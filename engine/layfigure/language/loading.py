@@ -18,6 +18,7 @@ from layfigure.language.places import Place
 from layfigure.language.scope import Scope
 from layfigure.language.values import PoseOf, text
 from layfigure.models import Model
+from layfigure.motions.library import motion_names, shipped_motion
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
 from layfigure.poses.pose_file import load_pose
@@ -51,14 +52,6 @@ def load(executor: Executor, node: syntax.Load) -> None:
     executor.scope.set(node.name or _name_of(path, node.what.place), value)
 
 
-def motion_files() -> tuple[Path, ...]:
-    """Return the shipped motions in alphabetical order."""
-    try:
-        return tuple(sorted(resources.data("motions").glob("*.motion")))
-    except FileError:
-        return ()
-
-
 def _found(what: str, folder: Path) -> Path:
     """Return the path of a file, or of what is shipped under a name."""
     suffix = Path(what).suffix.lower()
@@ -66,10 +59,10 @@ def _found(what: str, folder: Path) -> Path:
         if suffix not in SUFFIXES:
             raise FileError(f'"{what[:80]}" cannot be loaded; a script loads {", ".join(SUFFIXES)} files')
         return folder / what
-    shipped = {path.stem.casefold(): path for path in (*motion_files(), *resources.model_files())}
-    found = shipped.get(what.casefold())
+    figures = {path.stem.casefold(): path for path in resources.model_files()}
+    found = figures.get(what.casefold()) or shipped_motion(what)
     if found is None:
-        known = [*figure_names(), *(path.stem for path in motion_files())]
+        known = [*figure_names(), *motion_names()]
         hint = did_you_mean(what, known) or f"; there are {', '.join(known)}"
         raise FileError(f'nothing is shipped under the name "{what[:80]}"{hint}')
     return found

@@ -9,7 +9,7 @@ from layfigure.errors import LayfigureError
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
 from layfigure.session.log import parse_log
-from layfigure.session.motion_files import shipped_motions
+from layfigure.motions.library import motion_names
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import SessionOptions
 
@@ -85,7 +85,7 @@ def test_a_joint_that_the_figure_lacks_is_said(session, tmp_path):
 
 
 def test_shipped_motions_open_by_name_and_are_not_saved_over(session, tmp_path):
-    assert "walk" in shipped_motions()
+    assert "walk" in motion_names()
     session.execute("open walk")
     assert session.document.motion.duration > 0
     session.execute("save")

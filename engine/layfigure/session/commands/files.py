@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from layfigure.errors import FileError, ImpossibleError
 from layfigure.figures.figure import Figure
 from layfigure.files.writing import write_text
+from layfigure.motions.library import SUFFIX as MOTION
+from layfigure.motions.library import is_shipped, shipped_motion
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Command, Exchange
 from layfigure.poses.pose import Pose
@@ -20,8 +22,6 @@ from layfigure.session.commands.pose import pose_line
 from layfigure.session.document import Document
 from layfigure.session.figures import figure_beside, reference_to
 from layfigure.session.moments import known_curves, motion_of
-from layfigure.session.motion_files import SUFFIX as MOTION
-from layfigure.session.motion_files import is_shipped, shipped_motion
 from layfigure.session.picture_file import save_sheet
 from layfigure.session.words import join_line, no_more, number, required, whole_number
 

@@ -11,6 +11,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.library import figure_names
 from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
+from layfigure.motions.library import SUFFIX, motion_names
 from layfigure.motions.numbers import written
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
@@ -23,7 +24,6 @@ from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
 from layfigure.session.moments import key_frames, known_curves
-from layfigure.session.motion_files import SUFFIX, shipped_motions
 from layfigure.session.words import join_line, no_more, one_of, required, whole_number
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def openable(session: Session) -> Iterator[Entry]:
     folder = session.options.folder
     for suffix, what in ((".pose", "a pose in this folder"), (SUFFIX, "a motion in this folder")):
         yield from (Entry(path.name, what) for path in sorted(folder.glob(f"*{suffix}"))[:200])
-    yield from (Entry(name, "a motion that comes with Layfigure") for name in shipped_motions())
+    yield from (Entry(name, "a motion that comes with Layfigure") for name in motion_names())
 
 
 def _cancel(session: Session, words: tuple[str, ...]) -> None:

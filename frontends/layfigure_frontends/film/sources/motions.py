@@ -59,12 +59,11 @@ def _figure(host: Host, own: str | None, source: Path, other: str | None, usual:
     Raises:
         LayfigureError: there is no such figure.
     """
-    from layfigure.figures.library import load_figure
-    from layfigure.session.figures import open_figure
+    from layfigure.session.figures import figure_beside, open_figure
 
-    if other is not None or own is None or own in host.figures:
-        return open_figure(host, other or own or usual)
-    return load_figure(own, source.parent)
+    if other is not None or own is None:
+        return open_figure(host, other or usual)
+    return figure_beside(host, own, source.parent)
 
 
 def _goes_round(motion: Motion, curves: Curves) -> bool:
