@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from layfigure import compiled
 from layfigure.drawing.palette import load_palette
 from layfigure.drawing.render_list import RECOMMENDED, Look, Target
+from layfigure.drawing.theme import view_theme
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.plugins.host import Host
 from layfigure.plugins.records import Renderer, RendererObject
 from layfigure.scenes.listing import Lister, Paper
 from layfigure.scenes.picture import ScenePicture
-from layfigure.session.theme import view_theme
 from layfigure.suggestions import did_you_mean
 
 MAXIMUM_SIDE = 16384  # pixels; more would overflow what primitives in pixels can say

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from layfigure.drawing.camera import FIXED_VIEWS
 from layfigure.drawing.render_list import Rectangle
+from layfigure.drawing.sheets import SHEET, layout
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.models.articulated import Model
@@ -19,22 +21,16 @@ from layfigure.motions.standard import STANDARD, Curves
 from layfigure.poses.pose import Pose
 from layfigure.scenes.camera import Point, SceneCamera
 from layfigure.scenes.framing import ASPECT, holding, reach, script_point
-from layfigure.scenes.listing import layout
 from layfigure.scenes.performing import MAXIMUM_IMAGES, Who, figure_of
 from layfigure.scenes.picture import Actor, ScenePicture, Shooting
 from layfigure.suggestions import did_you_mean
 
 Floats = NDArray[np.float64]
 DIRECTIONS: dict[str, Point] = {
-    "front": (0.0, 0.0, 1.0),
-    "right": (1.0, 0.0, 0.0),
-    "left": (-1.0, 0.0, 0.0),
-    "back": (0.0, 0.0, -1.0),
-    "top": (0.0, 1.0, 0.0),
+    **{name: script_point(-np.array(rotation[2])) for name, rotation in FIXED_VIEWS.items()},
     "three-quarter": (0.62, 0.3, 1.0),
 }
-"""Where cameras stand, in script coordinates, seen from what they look at."""
-SHEET = ("front", "right", "top")
+"""Where cameras stand, in script coordinates, seen from what they look at: the fixed views, and a pleasant one."""
 _NOMINAL = 6000  # pixels of height that shapes of pictures are worked out with
 
 

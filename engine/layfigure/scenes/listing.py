@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from layfigure.drawing.gathering import gathered
 from layfigure.drawing.geometry import measure_batch, to_pixels_framed
 from layfigure.drawing.render_list import Rectangle, RenderList
+from layfigure.drawing.sheets import layout
 from layfigure.drawing.shots import repeated_columns
 from layfigure.figures.figure import Figure
 from layfigure.scenes.camera import SceneCamera, flipped
@@ -67,16 +67,6 @@ class Lister:
         if before is not None and before[0] == actors:
             return before
         return actors, _with_figure(views, actors, rows, self._paper)
-
-
-def layout(width: int, height: int, views: int) -> list[Rectangle]:
-    """Return the rectangles of a picture's views: all of it, or the left two thirds and rows in the right third."""
-    if views == 1:
-        return [Rectangle(0, 0, width, height)]
-    left = width - width // 3
-    edges = [height * number // (views - 1) for number in range(views)]
-    sides = [Rectangle(left, top, width - left, bottom - top) for top, bottom in pairwise(edges)]
-    return [Rectangle(0, 0, left, height), *sides]
 
 
 def _row(camera: SceneCamera, box: Rectangle) -> tuple[float, ...]:

@@ -18,11 +18,11 @@ from layfigure.drawing.joint_kinds import coded_as_still
 from layfigure.drawing.render_list import RenderList
 from layfigure.drawing.shots import Colouring, Shot, build_render_list
 from layfigure.drawing.sticks import without_balls
+from layfigure.drawing.theme import ViewTheme
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
 from layfigure.session.document import Document
 from layfigure.session.moments import after, before, key_frames, poses_at
-from layfigure.session.theme import ViewTheme
 
 if TYPE_CHECKING:
     from layfigure.motions.standard import Curves

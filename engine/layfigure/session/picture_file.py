@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from layfigure.drawing.camera import Camera, fixed_view
 from layfigure.drawing.palette import load_palette
-from layfigure.drawing.render_list import Rectangle, Target, new_target
+from layfigure.drawing.render_list import Target, new_target
+from layfigure.drawing.sheets import SHEET, layout
 from layfigure.drawing.shots import Shot, build_render_list, plain_colouring
 from layfigure.errors import FileError
 from layfigure.plugins.records import Exchange
@@ -42,11 +43,8 @@ class PictureOptions:
 def draw_pose(session: Session, pose: Pose, options: PictureOptions) -> Target:
     """Return a picture of a pose: a view; on a sheet the right and top views fill the right third."""
     width, height = options.size
-    third, half = (width // 3 if options.sheet else 0), height // 2
-    views = [(Rectangle(0, 0, width - third, height), options.camera)]
-    if options.sheet:
-        views.append((Rectangle(width - third, 0, third, half), fixed_view("right")))
-        views.append((Rectangle(width - third, half, third, height - half), fixed_view("top")))
+    cameras = [options.camera, *(fixed_view(name) for name in SHEET[1:] if options.sheet)]
+    views = zip(layout(width, height, len(cameras)), cameras, strict=True)
     figure = session.document.figure
     shots = [Shot(0, rectangle, camera, session.theme.pane) for rectangle, camera in views]
     colouring = plain_colouring(load_palette("default").rgb(figure.colours), 1, len(figure.limbs))

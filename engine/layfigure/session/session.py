@@ -12,6 +12,7 @@ from pathlib import Path
 
 from layfigure.configuration import load_bindings
 from layfigure.drawing.render_list import PLAIN, Look, RenderList, Target
+from layfigure.drawing.theme import ViewTheme, view_theme
 from layfigure.errors import LayfigureError, PluginError
 from layfigure.plugins.discovery import Found
 from layfigure.plugins.host import Host
@@ -36,7 +37,6 @@ from layfigure.session.rendering import Renderers
 from layfigure.session.routing import route
 from layfigure.session.stage import Stage
 from layfigure.session.techniques import Workshop
-from layfigure.session.theme import ViewTheme, view_theme
 from layfigure.session.view import ViewState
 from layfigure.session.words import WordError, join_line, quoted, split_line
 from layfigure.suggestions import did_you_mean

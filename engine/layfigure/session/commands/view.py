@@ -9,11 +9,11 @@ import numpy as np
 
 from layfigure.drawing.camera import Camera, as_matrix, fixed_view
 from layfigure.drawing.render_list import LOOKS
+from layfigure.drawing.theme import theme_names
 from layfigure.errors import ImpossibleError
 from layfigure.plugins.records import Command
 from layfigure.session.layout import three_views
 from layfigure.session.modes import Plain
-from layfigure.session.theme import theme_names
 from layfigure.session.words import no_more, number, one_of, required, switched
 
 if TYPE_CHECKING:
