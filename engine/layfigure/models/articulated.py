@@ -81,6 +81,17 @@ class Model:
         """
         return held(self.figure, angles, translations, self.main, self.anchor)
 
+    def standing(self, angles: Floats, translations: Floats) -> tuple[Floats, Floats]:
+        """Return angles (..., n, 3) and translations (..., 3) of motions as the model stands in them.
+
+        A main link other than the root stays where it is put, wherever motions turn and carry the root.
+        """
+        if self.main == 0:
+            return angles, translations
+        angles = np.array(angles)
+        angles[..., 0, :] = 0.0
+        return self.held(angles, np.zeros_like(translations))
+
     @property
     def links(self) -> tuple[Link, ...]:
         """The links as they were joined, parents first."""

@@ -115,10 +115,8 @@ def _times(motion: Motion, filming: Filming) -> Floats:
 
 
 def _run(who: Who, angles: Floats, translations: Floats, follow: bool) -> _Run:
-    if isinstance(who, Model) and who.main != 0:
-        angles, translations = np.array(angles), np.zeros_like(translations)
-        angles[:, 0] = 0.0
-        angles, translations = who.held(angles, translations)
+    if isinstance(who, Model):
+        angles, translations = who.standing(angles, translations)
     angles.flags.writeable = translations.flags.writeable = False
     along = translations if follow else np.zeros_like(translations)
     return _Run(figure_of(who), angles, translations, along)

@@ -64,9 +64,7 @@ class Performer:
         """
         angles, translations = np.array(angles), carried * _TO_LEFT_HANDED
         if isinstance(self.who, Model):
-            if self.who.main != 0:
-                angles[:, 0], translations = 0.0, np.zeros_like(translations)
-            angles, translations = self.who.held(angles, translations)
+            angles, translations = self.who.standing(angles, translations)
         turns, shifts = np.array([p.matrix for p in places]), np.array([p.shift for p in places])
         angles, translations = placed(self.figure, angles, translations, turns, shifts)
         angles.flags.writeable = translations.flags.writeable = False
