@@ -10,7 +10,7 @@ from layfigure.language import syntax, values
 from layfigure.language.drafts import Draft, DraftKey, exact
 from layfigure.language.evaluating import Evaluator, blamed
 from layfigure.language.images import Image
-from layfigure.language.modelling import block_model, copied, rerooted
+from layfigure.language.modelling import block_model, rerooted
 from layfigure.language.places import Place
 from layfigure.language.printing import shown, symbols
 from layfigure.language.run import Defined, Run
@@ -63,7 +63,7 @@ class Executor:
             with blamed(node.place):
                 value = value.named(node.target.spelled)
         elif isinstance(node.value, syntax.Variable):
-            value = copied(value)
+            value = value.copy()
         self._warn_of(value, node.place)
         return value
 
