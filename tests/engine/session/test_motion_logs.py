@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from layfigure.errors import LayfigureError
+from layfigure.motions.library import motion_names
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
 from layfigure.session.log import parse_log
-from layfigure.motions.library import motion_names
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import SessionOptions
 
