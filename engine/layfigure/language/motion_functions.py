@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -20,15 +19,6 @@ from layfigure.motions.standard import interpolation
 
 if TYPE_CHECKING:
     from layfigure.language.values import Number
-
-
-# How time itself goes, as the interpolations of the same names move angles.
-_EASES: dict[str, Callable[[float], float]] = {
-    "linear": lambda u: u,
-    "accelerate": lambda u: u * u,
-    "decelerate": lambda u: u * (2.0 - u),
-    "accdcc": lambda u: u * u * (3.0 - 2.0 * u),
-}
 
 
 def _baked(a: Arguments, *motions: Motion) -> None:
@@ -81,8 +71,7 @@ def _noise(a: Arguments) -> Motion:
 def _warp(a: Arguments) -> Motion:
     from layfigure.motions.warping import warp
 
-    motion, name = a.motion(0), a.word(1).casefold()
-    ease = _EASES.get(name) or interpolation(a.evaluator.curves, name)
+    motion, ease = a.motion(0), interpolation(a.evaluator.curves, a.word(1).casefold())
     _baked(a, motion)
     return a.result(warp(motion, ease, a.evaluator.curves))
 
