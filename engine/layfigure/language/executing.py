@@ -154,9 +154,7 @@ class Executor:
             if name in draft.keys:
                 raise joint.place.error(f"joint {name} stands here for the second time; put its keys together")
             if joint.position is not None or not keys:
-                position = (
-                    self._position(joint.position, joint.place) if joint.position is not None else (exact(0),) * 3
-                )
+                position = self._position(joint.position) if joint.position is not None else (exact(0),) * 3
                 draft.set(name, 0, DraftKey(joint.place, Key(exact(0), position)))
             for number, key in enumerate(keys, start=1):
                 draft.set(name, number, DraftKey(key.place, self._key(key.frame, key.position, key.how)))
@@ -192,9 +190,9 @@ class Executor:
         if how is not None:
             with blamed(how.place):
                 name = interpolation(self.run.curves, how.name).id
-        return Key(time, self._position(position, frame.place), name)
+        return Key(time, self._position(position), name)
 
-    def _position(self, nodes: tuple[syntax.Expression, ...], place: Place) -> Any:
+    def _position(self, nodes: tuple[syntax.Expression, ...]) -> Any:
         if len(nodes) == 1:
             found = self.evaluator.vector(nodes[0], 3, "POSITION")
         elif len(nodes) == 3:
