@@ -10,7 +10,7 @@ from layfigure.language import syntax, values
 from layfigure.language.drafts import Draft, DraftKey, exact
 from layfigure.language.evaluating import Evaluator, blamed
 from layfigure.language.images import Image
-from layfigure.language.modelling import block_model, copied, rerooted
+from layfigure.language.modelling import block_model, rerooted
 from layfigure.language.places import Place
 from layfigure.language.printing import shown, symbols
 from layfigure.language.run import Defined, Run
@@ -63,7 +63,7 @@ class Executor:
             with blamed(node.place):
                 value = value.named(node.target.spelled)
         elif isinstance(node.value, syntax.Variable):
-            value = copied(value)
+            value = value.copy()
         self._warn_of(value, node.place)
         return value
 
@@ -154,9 +154,7 @@ class Executor:
             if name in draft.keys:
                 raise joint.place.error(f"joint {name} stands here for the second time; put its keys together")
             if joint.position is not None or not keys:
-                position = (
-                    self._position(joint.position, joint.place) if joint.position is not None else (exact(0),) * 3
-                )
+                position = self._position(joint.position) if joint.position is not None else (exact(0),) * 3
                 draft.set(name, 0, DraftKey(joint.place, Key(exact(0), position)))
             for number, key in enumerate(keys, start=1):
                 draft.set(name, number, DraftKey(key.place, self._key(key.frame, key.position, key.how)))
@@ -192,9 +190,9 @@ class Executor:
         if how is not None:
             with blamed(how.place):
                 name = interpolation(self.run.curves, how.name).id
-        return Key(time, self._position(position, frame.place), name)
+        return Key(time, self._position(position), name)
 
-    def _position(self, nodes: tuple[syntax.Expression, ...], place: Place) -> Any:
+    def _position(self, nodes: tuple[syntax.Expression, ...]) -> Any:
         if len(nodes) == 1:
             found = self.evaluator.vector(nodes[0], 3, "POSITION")
         elif len(nodes) == 3:

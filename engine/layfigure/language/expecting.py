@@ -99,7 +99,7 @@ def _expected(accepts: frozenset[str], at_start: frozenset[str]) -> str:
         parts.append("a name")
     if "PLUS" in rest:
         parts.append("an operator")
-        rest -= _OPERATORS if ends or not _closes(rest) else _OPERATORS - {"GREATER"}
+        rest -= _OPERATORS if ends or "LESS" in rest else _OPERATORS - {"GREATER"}  # which may close a list
     elif rest >= _ASSIGNING:
         parts.append('"="')
         rest -= _ASSIGNING
@@ -107,14 +107,7 @@ def _expected(accepts: frozenset[str], at_start: frozenset[str]) -> str:
     return listed(parts[:8] + ([_END] if ends else []))
 
 
-def _closes(rest: frozenset[str]) -> bool:
-    """Whether ``>`` would close a list of transformations rather than compare: nothing else that compares may stand."""
-    return "GREATER" in rest and "LESS" not in rest
-
-
 def _words(accepts: frozenset[str]) -> set[str]:
     """Return the words of the language among the terminals."""
-    known = {"FRAME", "JOINT", "FIGURE", "STRIP", "SYNCHRONIZE", "AXIS"}
     words = {name.strip("_") for name in accepts if name not in _SIGNS and name not in _OPERATORS}
-    words -= {"NAME", "NUMBER", "STRING", "LEFT_ROUND", "SOLID", "$END", "SEPARATOR", "COLON_MINUS", "COLON_EQUAL"}
-    return {word for word in words if word.isalpha() or word in known} - {"AXIS"}
+    return {word for word in words if word.isalpha()} - {"NAME", "NUMBER", "STRING", "SOLID", "SEPARATOR", "AXIS"}

@@ -76,14 +76,6 @@ def rerooted(evaluator: Evaluator, node: syntax.FigureOf) -> Model:
         return value.with_main(joint=evaluator.joint(node.main))
 
 
-def copied(value: Model) -> Model:
-    """Return a model as another object of the same figure, so that both can be joined."""
-    copy = value.copy()
-    if "_assembled" in value.__dict__:
-        copy.__dict__["_assembled"] = value.__dict__["_assembled"]
-    return copy
-
-
 def _part(evaluator: Evaluator, node: syntax.Expression) -> Link | Model | LinkOf:
     value = evaluator.value(node)
     if isinstance(value, Model | LinkOf):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -20,15 +19,6 @@ from layfigure.motions.standard import interpolation
 
 if TYPE_CHECKING:
     from layfigure.language.values import Number
-
-
-# How time itself goes, as the interpolations of the same names move angles.
-_EASES: dict[str, Callable[[float], float]] = {
-    "linear": lambda u: u,
-    "accelerate": lambda u: u * u,
-    "decelerate": lambda u: u * (2.0 - u),
-    "accdcc": lambda u: u * u * (3.0 - 2.0 * u),
-}
 
 
 def _baked(a: Arguments, *motions: Motion) -> None:
@@ -81,10 +71,17 @@ def _noise(a: Arguments) -> Motion:
 def _warp(a: Arguments) -> Motion:
     from layfigure.motions.warping import warp
 
-    motion, name = a.motion(0), a.word(1).casefold()
-    ease = _EASES.get(name) or interpolation(a.evaluator.curves, name)
+    motion, ease = a.motion(0), interpolation(a.evaluator.curves, a.word(1).casefold())
     _baked(a, motion)
     return a.result(warp(motion, ease, a.evaluator.curves))
+
+
+def _slerp(a: Arguments) -> Motion:
+    from layfigure.motions.slerp import slerp
+
+    motion, figure = a.motion(0), a.model(1).figure
+    _baked(a, motion)
+    return a.result(slerp(motion, figure))
 
 
 def _slowed(a: Arguments) -> Motion:
@@ -181,6 +178,7 @@ MOTION_FUNCTIONS: dict[str, Function] = {
     "additive": Function("additive(motion, layer [, weight])", 2, 3, _additive),
     "noise": Function("noise(motion, degrees, seed [, period])", 3, 4, _noise),
     "warp": Function("warp(motion, interpolation)", 2, 2, _warp),
+    "slerp": Function("slerp(motion, model)", 2, 2, _slerp),
     "slowed": Function("slowed(motion, velocity [, acceleration])", 2, 3, _slowed),
     "mirror": Function("mirror(motion, model)", 2, 2, lambda a: mirror(a.motion(0), a.model(1).figure)),
     "clamp": Function("clamp(motion, model)", 2, 2, lambda a: a.motion(0).clamped(a.model(1).figure)[0]),

@@ -55,8 +55,7 @@ class Model:
     def of_figure(figure: Figure) -> Model:
         """Return a loaded figure as a model: its limbs are links, its joints keep their parametrisation and limits."""
         model = Model(nodes_of(figure), name=figure.name, source=figure)
-        model.__dict__["_assembled"] = Assembled(figure, tuple(range(len(figure.limbs))))
-        return model
+        return model._made_of(Assembled(figure, tuple(range(len(figure.limbs)))))
 
     @property
     def figure(self) -> Figure:
@@ -121,12 +120,12 @@ class Model:
         return self.name or self.nodes[0].link.name
 
     def named(self, name: str) -> Model:
-        """Return the model under another name."""
-        return replace(self, name=name)
+        """Return the model under another name; its figure, if it is assembled already, is the same."""
+        return replace(self, name=name)._made_of(self.__dict__.get("_assembled"))
 
     def copy(self) -> Model:
-        """Return the same model as another object, so that it can be joined to this one."""
-        return replace(self)
+        """Return the same model of the same figure as another object, so that it can be joined to this one."""
+        return replace(self)._made_of(self.__dict__.get("_assembled"))
 
     def link(self, name: str) -> LinkOf:
         """Return a link, by name, to join something to; where several fit, the first.
@@ -152,9 +151,7 @@ class Model:
             main, note = self._main_by_link(link)
         if joint is not None:
             main = self._holding(JointId.of(joint))
-        model = replace(self, main_node=main, note=note)
-        model.__dict__["_assembled"] = self._assembled
-        return model
+        return replace(self, main_node=main, note=note)._made_of(self._assembled)
 
     def trans_joints(self, by: int | Fraction) -> Model:
         """Return a copy whose joints have other identifiers: ``by`` added to each number (TRANS JOINTS BY).
@@ -192,6 +189,12 @@ class Model:
     @cached_property
     def _assembled(self) -> Assembled:
         return assembled(self.title, self.nodes)
+
+    def _made_of(self, known: Assembled | None) -> Model:
+        """Return this model, just made and shown to nobody, with what it would be assembled to, if that is known."""
+        if known is not None:
+            self.__dict__["_assembled"] = known  # where cached_property looks
+        return self
 
     def _fitting(self, name: str) -> list[int]:
         wanted = name.casefold()

@@ -23,7 +23,7 @@ def describe_model(model: Model) -> str:
     for node in model.nodes:
         depth = depths[node.parent] + 1 if node.parent >= 0 else 0
         depths.append(depth)
-        rows.append((_GAP * depth + node.link.name, *_joint_words(model, node)))
+        rows.append((_GAP * depth + node.link.name, *_joint_words(node)))
     links = f"{len(model.nodes)} link{'s' * (len(model.nodes) != 1)}"
     head = f"{model.title}: {links}, held by {_main_words(model)}"
     return "\n".join([head, *aligned([("link", "joint", "point of the holder", "own point", "ranges"), *rows])])
@@ -61,7 +61,7 @@ def _main_words(model: Model) -> str:
     return f"{node.link.name} (joint {node.joint.id})" if alike > 1 else node.link.name
 
 
-def _joint_words(model: Model, node: Node) -> tuple[str, str, str, str]:
+def _joint_words(node: Node) -> tuple[str, str, str, str]:
     if node.parent < 0:
         return ("", "", "", "")
     joint = node.joint

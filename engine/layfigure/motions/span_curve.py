@@ -232,13 +232,13 @@ def _along(
     """Return the states some frames after a key; ``stands`` are the values where they are known, on a key."""
     found = []
     for component in range(3):
-        piece, u = _piece_at(curve.way(component, index), since)
+        piece, u = piece_at(curve.way(component, index), since)
         value = piece.value(u) if stands is None else stands[component]
         found.append(State(value, piece.velocity(u), piece.acceleration(u)))
     return found[0], found[1], found[2]
 
 
-def _piece_at(way: Way, since: Number) -> tuple[Piece | Eased, Number]:
+def piece_at(way: Way, since: Number) -> tuple[Piece | Eased, Number]:
     """Return the piece of a way that holds some frames after it began, and the frames since the piece began."""
     for piece in way[:-1]:
         if since < piece.frames:

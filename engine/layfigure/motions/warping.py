@@ -12,32 +12,46 @@ from layfigure.errors import LayfigureError
 from layfigure.motions.baking import UNITS, Course, Moment, baked
 from layfigure.motions.keys import Mark, Span
 from layfigure.motions.motion import Motion
+from layfigure.motions.span_curve import SpanCurve, piece_at
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.plugins.records import Interpolation
 
 Ease = Callable[[float], float]
 _HALVINGS = 40
+_FRAMES = 1e6
 
 
 def warp(motion: Motion, ease: Ease | Interpolation, curves: Curves = STANDARD) -> Motion:
     """Return a motion that is as long, and at the share u of its time stands where it stood at ``ease(u)``.
 
-    ``ease`` goes from 0 to 1; an interpolation that is one may be given. Marks move along. Keys are baked, one a frame,
-    and a seam is passed within a frame.
+    ``ease`` goes from 0 to 1; an interpolation may be given, :func:`ease_of` which is taken. Marks move along. Keys are
+    baked, one a frame, and a seam is passed within a frame.
 
     Raises:
-        LayfigureError: the ease gives no finite number, or the interpolation is not an ease.
+        LayfigureError: the ease gives no finite number.
     """
     if isinstance(ease, Interpolation):
-        if ease.ease is None:
-            raise LayfigureError(f"the interpolation {ease.id} goes from key to key; time needs an ease, from 0 to 1")
-        ease = ease.ease
+        ease = ease_of(ease)
     if not motion.duration:
         return motion
     source = _Source(motion, ease, Course(motion, curves))
     tracks = {joint: source.track(joint) for joint in motion.tracks}
     marks = tuple(Mark(source.moved(mark.time), mark.name) for mark in motion.marks)
     return Motion(motion.duration, {joint: spans for joint, spans in tracks.items() if spans}, marks)
+
+
+def ease_of(record: Interpolation) -> Ease:
+    """Return how an interpolation leads from 0 to 1, from rest; over so many frames that no ramp of a few is seen.
+
+    Calling it raises PluginError where the interpolation gives no finite number or does not lead there.
+    """
+    curve = SpanCurve((0.0, _FRAMES), ((0.0,) * 3, (1.0,) * 3), (record.id,) * 2, (True, True), {record.id: record})
+
+    def ease(share: float) -> float:
+        piece, since = piece_at(curve.way(0, 0), share * _FRAMES)
+        return float(piece.value(since))
+
+    return ease
 
 
 class _Source:

@@ -139,6 +139,13 @@ def test_a_motion_can_be_asked(printed):
     assert printed(f"{WALK}PRINT duration(walk), at(walk, 10, 5), jump(walk)") == ["10 (0, 0, 90) 90"]
 
 
+def test_keys_can_be_led_through_by_the_shortest_turn(motion):
+    text = 'LOAD "humanoid" AS man\nm["spine", 1] = FRAME 8 POSITION -60, -40, 40\nn = slerp(m, man)\n'
+    turned, plain = motion(text.replace("n =", "m =")), motion(text)
+    assert (turned.duration, turned.end()) == (8, plain.end())
+    assert turned.key_count == 9 and turned.at(4) != plain.at(4)
+
+
 def test_scaling_time_by_a_third_is_exact(motion):
     assert motion(f"{WALK}m = walk <SCALE FRAMES 1/3>").duration == Fraction(10, 3)
 
@@ -160,6 +167,7 @@ def test_scaling_time_by_a_third_is_exact(motion):
         ("m = walk + walk\nm[5, 3] = FRAME 99 POSITION 0,0,0", "put together from others"),
         ("n = 3\nn[5, 3] = FRAME 99 POSITION 0,0,0", '"n" is a number; keys are set in motions'),
         ("STARTMOTION m\nJOINT 1\nJOINT 1\nENDMOTION", "for the second time"),
+        ('LOAD "humanoid" AS man\nm = slerp(hold(walk, 10 ** 6), man)', "more than 50000 keys"),
         ("m = 100000 * walk", "more than 50000 keys"),
         ("m = hold(walk, 10 ** 300)", "digits|frames"),
     ],

@@ -5,16 +5,17 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from layfigure.errors import LayfigureError
+from layfigure.errors import LayfigureError, PluginError
 from layfigure.figures.library import load_figure
 from layfigure.motions.blending import additive, blend, crossfade
 from layfigure.motions.mirroring import mask
 from layfigure.motions.motion import Motion
 from layfigure.motions.noise import noise
+from layfigure.motions.pieces import Piece
 from layfigure.motions.rates import rates, within_rates
 from layfigure.motions.sampling import frame_times, sample
 from layfigure.motions.standard import STANDARD
-from layfigure.motions.warping import warp
+from layfigure.motions.warping import ease_of, warp
 from layfigure.plugins.records import Interpolation
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
@@ -123,8 +124,28 @@ def test_a_warped_motion_stands_where_its_ease_says_and_takes_its_marks_along():
     assert late.tracks["5"][0].begin == 12 and Motion.EMPTY.warp(lambda u: u) == Motion.EMPTY
     with pytest.raises(LayfigureError, match="finite"):
         RISE.warp(lambda u: float("nan"))
-    with pytest.raises(LayfigureError, match="cubic"):
-        warp(RISE, STANDARD["cubic"])
+
+
+@pytest.mark.parametrize(
+    ("how", "ease"),
+    [
+        ("linear", lambda u: u),
+        ("accelerate", lambda u: u * u),
+        ("decelerate", lambda u: u * (2 - u)),
+        ("accdcc", lambda u: u * u * (3 - 2 * u)),
+        ("cubic", lambda u: u * u * (3 - 2 * u)),
+        (Interpolation("half", "Half", lambda u: u * u), lambda u: u * u),
+        (Interpolation("even", "Even", pieces=lambda s: [Piece(s.frames, 0, 1 / s.frames)]), float),
+    ],
+)
+def test_time_is_eased_as_an_interpolation_moves_from_rest(how, ease):
+    eased = ease_of(STANDARD.get(how, how))
+    assert [eased(u / 16) for u in range(17)] == pytest.approx([ease(u / 16) for u in range(17)], abs=1e-4)
+
+
+def test_an_interpolation_that_leads_nowhere_eases_no_time():
+    with pytest.raises(PluginError, match="lost does not lead from one key to the next"):
+        warp(RISE, Interpolation("lost", "Lost", pieces=lambda s: [Piece(s.frames, s.start)]))
 
 
 def test_noise_is_the_same_for_the_same_seed_stays_within_its_size_and_loops():
