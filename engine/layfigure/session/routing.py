@@ -91,7 +91,7 @@ def _go_on(session: Session, line: str) -> None:
 def _default(session: Session, event: Event) -> Sequence[Outcome]:
     match event:
         case KeyEvent():
-            line = session.key_table().resolve(event.key, session.situation)
+            line = _line_of(session, event)
             return [Run(line)] if line else []
         case DropEvent():
             return [Run(join_line("open", [event.path]))]
@@ -102,6 +102,14 @@ def _default(session: Session, event: Event) -> Sequence[Outcome]:
         case PointerEvent(kind="wheel"):
             return _wheel(session, event)
     return []
+
+
+def _line_of(session: Session, event: KeyEvent) -> str | None:
+    """Return what a key means, else what the sign means that it types: ``(`` where nothing is on ``shift+9``."""
+    table, now = session.key_table(), session.situation
+    line = table.resolve(event.key, now)
+    typed = "" if event.key.startswith(("ctrl+", "alt+")) or event.text.isalnum() else event.text
+    return line or (table.resolve(typed, now) if typed else None)
 
 
 def _pressed(session: Session, event: PointerEvent) -> Sequence[Outcome]:

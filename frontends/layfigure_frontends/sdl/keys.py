@@ -42,6 +42,9 @@ LETTERS = {getattr(pygame, f"KSCAN_{letter.upper()}"): letter for letter in "abc
 # While no text is typed SDL tells the key but not the symbol; with Shift these keys carry another one.
 SHIFTED = dict(zip("`-=[]\\;',./", '~_+{}|:"<>?', strict=True))
 
+# What Shift makes of the digit row where the window system does not say it: as on an American keyboard.
+SIGNS = dict(zip("1234567890", "!@#$%^&*()", strict=True))
+
 REPEATING = frozenset(
     {"tab", "[", "]", "+", "-", "=", "left", "right", "up", "down", "pageup", "pagedown", "backspace"}
 )
@@ -67,6 +70,15 @@ def key_chord(key: int, scancode: int, modifiers: int) -> str | None:
         return None
     ctrl = bool(modifiers & (pygame.KMOD_CTRL | pygame.KMOD_META))
     return chord(name, ctrl=ctrl, alt=bool(modifiers & pygame.KMOD_ALT), shift=shift)
+
+
+def sign_of(key: int, modifiers: int) -> str:
+    """Return the sign that Shift makes of a digit's key where SDL does not tell it; "" for every other key.
+
+    Where the row types digits only with Shift, as on a French keyboard, it makes none.
+    """
+    digit = chr(key) if 33 <= key < 127 else ""
+    return SIGNS.get(digit, "") if modifiers & pygame.KMOD_SHIFT else ""
 
 
 def repeats(name: str) -> bool:

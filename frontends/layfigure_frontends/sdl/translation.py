@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import pygame
 
 from layfigure.session.events import DropEvent, Event, KeyEvent, PointerEvent
-from layfigure_frontends.sdl.keys import key_chord, repeats
+from layfigure_frontends.sdl.keys import key_chord, repeats, sign_of
 
 DOUBLE_MILLISECONDS = 400
 DOUBLE_PIXELS = 4
@@ -84,7 +84,7 @@ class Translator:
         text = event.unicode if event.unicode.isprintable() else ""
         if typing and text and not any(event.mod & bits for bits in LEAVING):
             return []  # comes again as text input, in the keyboard's own layout
-        return [KeyEvent(name, text)]
+        return [KeyEvent(name, text or ("" if typing else sign_of(event.key, event.mod)))]
 
     def _button(self, event: pygame.Event, ratio: float) -> PointerEvent:
         if event.type == pygame.MOUSEBUTTONUP:

@@ -130,3 +130,19 @@ def test_a_run_of_digits_is_spoken_short():
     assert spoken_keys(tuple("123456789")) == "1 … 9"
     assert spoken_keys(tuple(f"ctrl+{digit}" for digit in "123456789")) == "Ctrl-1 … 9"
     assert spoken_keys(("1", "2", "3", "ctrl+4")) == "1  2  3  Ctrl-4"
+
+
+def test_a_sign_counts_where_nothing_is_bound_to_the_key_that_types_it(session):
+    from dataclasses import replace
+
+    from layfigure.session.events import KeyEvent
+
+    session.execute("key")
+    session.handle(KeyEvent("shift+0", ")"))
+    assert session.document.playhead == 1
+    session.handle(KeyEvent("ctrl+shift+0", ")"))
+    assert session.document.playhead == 1
+    bindings = (*session.options.bindings, Binding(("shift+0",), "frame-at 9"))
+    session.options, session._key_table = replace(session.options, bindings=bindings), None
+    session.handle(KeyEvent("shift+0", ")"))
+    assert session.document.playhead == 9

@@ -98,6 +98,17 @@ def test_space_plays_by_the_clock_and_stops_and_the_window_asks_to_be_woken_in_t
     assert asked[-1] == asked[0], "and afterwards as long as ever"
 
 
+def test_signs_on_the_digit_row_go_a_frame_on_and_back_and_ask_for_one(moving, monkeypatch):
+    def shifted(digit):
+        key, scancode = getattr(pygame, f"K_{digit}"), getattr(pygame, f"KSCAN_{digit}")
+        told = {"key": key, "mod": pygame.KMOD_SHIFT, "unicode": "", "scancode": scancode}
+        return lambda: (post(pygame.KEYDOWN, **told), post(pygame.KEYUP, **told))
+
+    in_window(moving, monkeypatch, shifted(0), shifted(0), shifted(9), nothing, shifted(3), nothing)
+    assert moving.document.playhead == 1
+    assert moving.mode.state == "palette" and moving.mode.prompt == "Frame:" and moving.mode.text == ""
+
+
 def test_dragging_along_the_time_line_goes_to_a_frame_where_a_key_is_set_and_saved(moving, monkeypatch, tmp_path):
     in_window(
         moving,

@@ -128,3 +128,20 @@ def test_runs_of_moves_become_their_last_and_nothing_changes_place():
         pygame.MOUSEMOTION,
         pygame.MOUSEBUTTONUP,
     ]
+
+
+def shifted(translator, key, scancode, text=""):
+    pressed = down(key, mod=pygame.KMOD_LSHIFT, text=text, scancode=scancode)
+    (event,) = heard(translator, pressed, pygame.Event(pygame.KEYUP, key=key, mod=0, unicode="", scancode=scancode))
+    return event
+
+
+def test_a_digit_with_shift_tells_its_sign_also_where_the_window_system_keeps_it_to_itself(translator):
+    assert shifted(translator, pygame.K_9, pygame.KSCAN_9) == KeyEvent("shift+9", "(")
+    assert shifted(translator, pygame.K_9, pygame.KSCAN_9, ")") == KeyEvent("shift+9", ")"), "a German keyboard's"
+    assert shifted(translator, pygame.K_AMPERSAND, pygame.KSCAN_1) == KeyEvent("shift+1"), "a French one types 1"
+
+
+def test_a_sign_that_comes_again_as_text_is_not_told_twice(translator):
+    pressed = down(pygame.K_9, mod=pygame.KMOD_LSHIFT, scancode=pygame.KSCAN_9)
+    assert [event.text for event in heard(translator, pressed, typing=True)] == [""]
