@@ -70,6 +70,10 @@ class _Nesting:
                 raise _place(rest).error("nothing may follow END, which ends the script")
         elif isinstance(mark, Mark):
             raise mark.place.error(f"found {mark.word.value}, but {_opener(mark.word)} is not open; remove it")
+        elif isinstance(mark, SceneStart):
+            raise mark.place.error("STARTSCENE stands in a scene; put INITIALIZE SCENE and a number before it")
+        elif isinstance(mark, If):
+            raise mark.place.error(f"found ELSE IF, but {_opener(Word.ELSE)} is not open; remove it")
         return block
 
     # -- walking -----------------------------------------------------------------------------------------------------

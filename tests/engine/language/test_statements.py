@@ -122,6 +122,8 @@ def test_stop_ends_the_run_and_end_the_script(printed):
         ("x = a <SCALE FRMS 2>", "1:19", 'found "2"'),
         ("INITIALIZE SCENE 1\nSTARTSCENE LENGTH 3\nANIMATE h FRM 0 TO 2 USING a\nENDSCENE", "3:11", 'mean "FROM"'),
         ("INITIALIZE SCENE 1\nANIMATE h USING a\nSTARTSCENE LENGTH 3\nENDSCENE", "2:1", "in the body of a scene"),
+        ("x = 1\nSTARTSCENE LENGTH 3\nENDSCENE\nSHOOTSCENES", "2:1", "put INITIALIZE SCENE and a number before it"),
+        ("x = 1\nELSE IF x = 1 THEN x = 2", "2:1", "found ELSE IF, but an IF that it could belong to is not open"),
         ("VIEW WIDTH = 3", "1:1", "stands in a scene"),
         ("INITIALIZE SCENE 1\nENDSCENE", "2:1", "STARTSCENE"),
         ("STARTMODEL a\nx = 1\nENDMODEL", "2:1", "stand only JOINT"),
