@@ -93,6 +93,15 @@ def _slowed(a: Arguments) -> Motion:
     return a.result(within_rates(motion, velocity, acceleration, curves=a.evaluator.curves))
 
 
+def _slerp(a: Arguments) -> Motion:
+    """slerp(motion, model): the shortest turns from key to key; what leaves limits is clamped where it is shown."""
+    from layfigure.motions.slerp import slerp
+
+    motion, figure = a.motion(0), a.model(1).figure
+    _baked(a, motion)
+    return a.result(slerp(motion, figure))
+
+
 def _strip(a: Arguments) -> Motion:
     return a.motion(0).strip(*(a.joint(index) for index in range(1, len(a))))
 
@@ -180,6 +189,7 @@ MOTION_FUNCTIONS: dict[str, Function] = {
     "warp": Function("warp(motion, interpolation)", 2, 2, _warp),
     "slerp": Function("slerp(motion, model)", 2, 2, _slerp),
     "slowed": Function("slowed(motion, velocity [, acceleration])", 2, 3, _slowed),
+    "slerp": Function("slerp(motion, model)", 2, 2, _slerp),
     "mirror": Function("mirror(motion, model)", 2, 2, lambda a: mirror(a.motion(0), a.model(1).figure)),
     "clamp": Function("clamp(motion, model)", 2, 2, lambda a: a.motion(0).clamped(a.model(1).figure)[0]),
     "mask": Function("mask(motion, model, part, ...)", 3, None, _masked),

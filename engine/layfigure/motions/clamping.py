@@ -68,30 +68,65 @@ def merged(reports: Iterable[ClampReport]) -> ClampReport:
 
 
 def clamp_samples(
-    figure: Figure, limbs: NDArray[np.int64], values: Floats, times: Floats
+    figure: Figure, limbs: NDArray[np.int64], values: Floats, times: Floats, to_limits: bool = True
 ) -> tuple[Floats, ClampReport]:
-    """Return values (f, j, 3) of limbs (j,) inside the figure's limits, and the report; the root turns freely.
+    """Return values (f, j, 3) of limbs (j,) as the figure can take them, and the report; the root turns freely.
 
-    A degree of freedom that a joint lacks has the limits 0 and 0. Limbs that share a joint id are one joint, and
-    samples of it are counted once.
+    That is inside its limits, unless not ``to_limits``, and swings inside their domain (posing.md 1). A degree of
+    freedom that a joint lacks has the limits 0 and 0. Limbs that share a joint id are one joint, and samples of it are
+    counted once.
     """
     limits = figure.arrays.limits[limbs].copy()
     limits[limbs == 0] = (-np.inf, np.inf)
-    kept = np.clip(values, limits[..., 0], limits[..., 1])
+    if not to_limits:
+        limits[:] = (-np.inf, np.inf)
+    wanted = _turned_over(values, limbs)
+    kept = np.clip(wanted, limits[..., 0], limits[..., 1])
+    _into_domain(kept, limits, figure.arrays.euler[limbs])
     joints = _first_columns(figure, limbs)
     samples = values.shape[0] * len(joints)
-    if np.array_equal(kept, values):
-        return kept, ClampReport(0, samples)
-    over = values - kept
-    sizes = np.abs(over)
-    worst = np.unravel_index(int(sizes.argmax()), sizes.shape)
-    beyond = (sizes > _NOTHING).any(axis=2)
-    count = int(np.count_nonzero(np.logical_or.reduceat(beyond, joints, axis=1)))
-    if not count:
-        return kept, ClampReport(0, samples)
-    limb, frame = int(limbs[worst[1]]), Fraction(repr(float(times[worst[0]])))
-    joint = figure.limbs[limb]
-    return kept, ClampReport(count, samples, joint.joint_id, joint.kinds[int(worst[2])], float(over[worst]), frame)
+    over = wanted - kept
+    beyond = np.abs(over) > _NOTHING
+    if not beyond.any():
+        return kept, ClampReport(0, samples if to_limits else 0)
+    count = int(np.count_nonzero(np.logical_or.reduceat(beyond.any(axis=2), joints, axis=1)))
+    time, column, component = np.unravel_index(int(np.abs(over).argmax()), over.shape)
+    joint, frame = figure.limbs[int(limbs[column])], Fraction(repr(float(times[time])))
+    name = joint.joint_id if joint.index else ROOT_JOINT
+    return kept, ClampReport(
+        count, samples, name, joint.kinds[int(component)], float(over[time, column, component]), frame
+    )
+
+
+def _turned_over(values: Floats, limbs: NDArray[np.int64]) -> Floats:
+    """Return values (f, j, 3) with a root that only flexes, or only pivots, turned on through 180 degrees.
+
+    So a somersault goes on; no turn is changed by it.
+    """
+    if 0 not in limbs:
+        return values
+    answer = values.copy()
+    for column in np.flatnonzero(limbs == 0).tolist():
+        swing = answer[:, column, :2]
+        alone = (swing == 0.0).any(axis=1) & (np.abs(swing).sum(axis=1) > 180.0)
+        swing[alone] = 180.0 - np.mod(180.0 - swing[alone], 360.0)
+    return answer
+
+
+def _into_domain(values: Floats, limits: Floats, axes: NDArray[np.bool_]) -> None:
+    """Bring swings of values (f, j, 3) within limits (j, 3, 2) into |flexion| + |pivot| <= 180 in place.
+
+    They go along the line to what is nearest to rest within the limits, so that they stay inside them; where even that
+    lies outside the domain, along the line to rest. Joints that turn about ``axes`` have no swing (posing.md 1).
+    """
+    beyond = (np.abs(values[..., :2]).sum(axis=2) > 180.0).any(axis=0) & ~axes
+    for column in np.flatnonzero(beyond).tolist():
+        swing = values[:, column, :2]
+        nearest = np.clip(0.0, limits[column, :2, 0], limits[column, :2, 1])
+        goal = nearest if np.abs(nearest).sum() <= 180.0 else np.zeros(2)
+        total, least = np.abs(swing).sum(axis=1, keepdims=True), np.abs(goal).sum()
+        share = np.where(total > 180.0, (180.0 - least) / np.maximum(total - least, 1e-300), 1.0)
+        swing[:] = np.where(total > 180.0, goal + share * (swing - goal), swing)
 
 
 def _first_columns(figure: Figure, limbs: NDArray[np.int64]) -> list[int]:

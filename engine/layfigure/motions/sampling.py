@@ -174,11 +174,7 @@ def _angles(
         values[:, columns] = known[joint].spread(moved)
         values[silent, columns] = start.angles[list(known[joint].limbs)]
         column = columns.stop
-    report = ClampReport()
-    if clamp:
-        values, report = clamp_samples(figure, limbs, values, moments.shown)
-    _into_domain(values, limbs, figure.arrays.euler[limbs])
-    angles[:, limbs] = values
+    angles[:, limbs], report = clamp_samples(figure, limbs, values, moments.shown, to_limits=clamp)
     return angles, report, unknown
 
 
@@ -189,22 +185,6 @@ def _values(ready: Compiled, joint: str, moments: _Moments) -> Floats:
         silent = np.isnan(values[:, 0]) & (moments.rounds > 0)
         values[silent] = ready.rows[joint].table[0, -1]
     return values
-
-
-def _into_domain(values: Floats, limbs: NDArray[np.int64], axes: NDArray[np.bool_]) -> None:
-    """Bring swings of values (f, j, 3) into the domain |flexion| + |pivot| <= 180 in place, along the line to rest.
-
-    A root that only flexes, or only pivots, turns over instead: a somersault goes on through 180 degrees. Joints that
-    turn about ``axes`` have no swing (posing.md 1).
-    """
-    beyond = (np.abs(values[..., 0]) + np.abs(values[..., 1]) > 180.0).any(axis=0) & ~axes
-    for column in np.flatnonzero(beyond).tolist():
-        swing = values[:, column, :2]
-        if limbs[column] == 0:
-            alone = (swing == 0.0).any(axis=1)
-            swing[alone] = 180.0 - np.mod(180.0 - swing[alone], 360.0)
-        total = np.abs(swing).sum(axis=1, keepdims=True)
-        swing *= 180.0 / np.maximum(total, 180.0)
 
 
 def _places(motion: Motion, ready: Compiled, moments: _Moments) -> Floats:

@@ -175,3 +175,14 @@ def test_what_is_seldom_meant_is_warned_of(run):
 def test_what_is_wrong_with_a_scene_is_told(run, text, says):
     with pytest.raises(SourceError, match=says):
         shot(run, text)
+
+
+def test_the_shortest_turn_is_there_by_name_and_is_clamped_and_reported_where_it_leaves_limits(run):
+    turn = "n :- JOINT 1, a, (0, 1, 0), b, (0, -1, 0), (0, 90), (0, 0), (0, 90)\n"
+    turn += "far[1, 0] = FRAME 0 POSITION 90, 0, 0\nfar[1, 1] = FRAME 4 POSITION 0, 0, 90\n"
+    turn += "short = slerp(far, n)\n"
+    (plain,) = shot(run, turn + scene("ANIMATE n USING far"))
+    (turned,) = shot(run, turn + scene("ANIMATE n USING short"))
+    assert not plain.clamps
+    assert str(turned.clamps).startswith("clamped 3 of 5 samples, worst 1.y ")
+    assert all(picture.actors[0].angles[1, 1] == 0 for picture in turned.pictures)
