@@ -49,7 +49,8 @@ def test_a_first_picture_is_composed_without_the_script_language():
         "from layfigure.plugins.host import Host; from layfigure.session.figures import open_figure;"
         "from layfigure.session.document import Document; from layfigure.session.frame import Size;"
         "from layfigure.session.session import Session; import layfigure_frontends.commands.pose;"
-        "host = Host.discover(); assert Session(host, Document.new(open_figure(host, 'humanoid'))).frame(Size(1280, 800)).panes"
+        "host = Host.discover(); session = Session(host, Document.new(open_figure(host, 'humanoid')));"
+        "assert session.frame(Size(1280, 800)).panes"
     )
     assert not {"lark", "PIL"} & imported_by(composing)
 
