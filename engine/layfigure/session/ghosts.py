@@ -1,7 +1,7 @@
 """Onion skins: the poses a motion has a little before and after, drawn as ghosts behind the working pose.
 
 They are told apart from it by shape, being thin sticks, and from each other by colour and shape: those before are
-cold rods, those after are warm and have balls at their joints.
+cold and broken at their joints, those after are warm and whole, with balls there. So they differ without colours too.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from layfigure.drawing.gathering import gathered
 from layfigure.drawing.joint_kinds import coded_as_still
 from layfigure.drawing.render_list import RenderList
 from layfigure.drawing.shots import Colouring, Shot, build_render_list
-from layfigure.drawing.sticks import without_balls
+from layfigure.drawing.sticks import broken, nowhere_too_thin
 from layfigure.drawing.theme import ViewTheme
 from layfigure.figures.figure import Figure
 from layfigure.poses.pose import Pose
@@ -90,7 +90,7 @@ class Scenery:
 def ghost_lists(figure: Figure, scenery: Scenery, shots: Sequence[Shot]) -> Iterator[RenderList]:
     """Yield the render list of every ghost, in all the views that ``shots`` show."""
     theme, ghosts = scenery.theme, scenery.ghosts
-    yield from (without_balls(figure, _thin(figure, pose, shots, theme.before)) for pose in ghosts.before)
+    yield from (broken(figure, _thin(figure, pose, shots, theme.before)) for pose in ghosts.before)
     yield from (_thin(figure, pose, shots, theme.after) for pose in ghosts.after)
 
 
@@ -103,4 +103,5 @@ def _thin(figure: Figure, pose: Pose, shots: Sequence[Shot], colour: tuple[int, 
     palette = np.tile(np.array(colour, dtype=np.uint8), (len(figure.colours), 1))
     styles = np.zeros((1, len(figure.limbs)), dtype=np.uint8)
     placed = [replace(shot, pose=0) for shot in shots]
-    return build_render_list(figure, (pose,), placed, Colouring(palette, styles, frozenset({0})))
+    listed = build_render_list(figure, (pose,), placed, Colouring(palette, styles, frozenset({0})))
+    return nowhere_too_thin(listed)
