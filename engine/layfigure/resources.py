@@ -39,6 +39,15 @@ def found(path: Path) -> Path:
     return path
 
 
+def shipped_as(name: str) -> str | None:
+    """Return the file name of a shipped motion, else script, of a name without its ending; None if there is none."""
+    for kind, suffix in (("motions", ".motion"), ("scripts", ".lay")):
+        for path in data(kind).glob(f"*{suffix}"):
+            if path.stem.casefold() == name.casefold():
+                return path.name
+    return None
+
+
 def model_files() -> Iterator[Path]:
     """Yield the shipped ``.fig`` files in alphabetical order."""
     yield from sorted(folder("models").glob("*.fig"))

@@ -12,6 +12,7 @@ import click
 
 if TYPE_CHECKING:
     from layfigure.configuration import Configuration
+    from layfigure.figures.figure import Figure
     from layfigure.plugins.discovery import Selection
     from layfigure.plugins.host import Host
     from layfigure.session.session import Session, SessionOptions
@@ -118,7 +119,29 @@ def open_session(choice: PluginChoice, what: str, frontend: str, keymap: str = "
     options = session_options(host, configuration, frontend)
     suffix = Path(what).suffix.lower() if what else ""
     if suffix in ("", ".fig"):
-        return Session(host, Document.new(open_figure(host, what or configuration.figure)), options)
+        return Session(host, Document.new(_figure(host, what or configuration.figure)), options)
     session = Session(host, Document.new(open_figure(host, configuration.figure)), options)
     session.execute(join_line("open", [what]))
     return session
+
+
+def _figure(host: Host, what: str) -> Figure:
+    """Return a figure by name or path.
+
+    Raises:
+        LayfigureError: there is none; where a motion or script of that name is shipped, the sentence says so.
+    """
+    from layfigure import resources
+    from layfigure.errors import LayfigureError
+    from layfigure.session.figures import open_figure
+
+    try:
+        return open_figure(host, what)
+    except LayfigureError:
+        shipped = resources.shipped_as(what)
+        if shipped is None:
+            raise
+        drawn = "" if shipped.endswith(".motion") else "layfigure render "
+        raise LayfigureError(
+            f'there is no figure "{what}"; to have what is shipped as {shipped}, write {drawn}{shipped}'
+        ) from None

@@ -46,6 +46,15 @@ limit_options = as_record(
 )
 
 
+_NO_SCRIPTS = {
+    ".motion": "a motion",
+    ".pose": "a pose",
+    ".poses": "a set of poses",
+    ".log": "a session's log",
+    ".fig": "a figure",
+}
+
+
 def run(script: Path, limits: Limits, choice: PluginChoice) -> Programme:
     """Return what a script, or the shipped one of that name, comes to.
 
@@ -55,7 +64,12 @@ def run(script: Path, limits: Limits, choice: PluginChoice) -> Programme:
         LayfigureError: it cannot be read, has a mistake, or does more than the limits allow.
     """
     from layfigure import resources
+    from layfigure.errors import FileError
     from layfigure.language import run_script
     from layfigure.motions.standard import with_plugins
 
+    kind = _NO_SCRIPTS.get(script.suffix.lower())
+    if kind is not None:
+        draws = "" if script.suffix.lower() == ".fig" else f", and layfigure render {script} draws it"
+        raise FileError(f"{script}: is {kind}, not a script; layfigure check tells of it{draws}")
     return run_script(resources.found(script), limits, with_plugins(open_host(choice).interpolations))

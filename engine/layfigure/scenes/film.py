@@ -31,6 +31,7 @@ DIRECTIONS: dict[str, Point] = {
     "three-quarter": (0.62, 0.3, 1.0),
 }
 """Where cameras stand, in script coordinates, seen from what they look at: the fixed views, and a pleasant one."""
+_OVER_GROUND = np.array([True, False, True])
 _NOMINAL = 6000  # pixels of height that shapes of pictures are worked out with
 
 
@@ -41,7 +42,8 @@ class Filming:
     ``view`` is one of :data:`DIRECTIONS`, or ``sheet`` for front, right and top in one picture. ``fps`` pictures show a
     second, which is ``rate`` frames of the motion. ``aspect`` is the width of pictures by their height. With ``floor``
     the ground lies under the lowest point that is ever reached. With ``follow`` the camera goes along with the root.
-    With ``loop`` the end is left out, where a motion that goes round begins again.
+    With ``loop`` the end is left out, where a motion that goes round begins again. With ``in_place`` the root keeps
+    over the ground where it begins, and moves up and down alone.
     """
 
     view: str = "three-quarter"
@@ -51,6 +53,7 @@ class Filming:
     floor: bool = True
     follow: bool = False
     loop: bool = False
+    in_place: bool = False
 
     @property
     def directions(self) -> tuple[Point, ...]:
@@ -94,7 +97,7 @@ def film_of_motion(
     directions = asked.directions
     times = _times(motion, asked)
     sampled = sample(figure_of(who), motion, times, start, curves)
-    run = _run(who, sampled.angles, sampled.translations, asked.follow)
+    run = _run(who, sampled.angles, sampled.translations, asked)
     boxes = layout(max(round(_NOMINAL * asked.aspect), 1), _NOMINAL, len(directions))
     cameras = [_cameras(run, direction, box) for direction, box in zip(directions, boxes, strict=True)]
     floor = float(reach(run.figure, run.angles, run.translations, tips=True)[0][1]) if asked.floor else None
@@ -114,11 +117,13 @@ def _times(motion: Motion, filming: Filming) -> Floats:
     return times
 
 
-def _run(who: Who, angles: Floats, translations: Floats, follow: bool) -> _Run:
+def _run(who: Who, angles: Floats, translations: Floats, filming: Filming) -> _Run:
     if isinstance(who, Model):
         angles, translations = who.standing(angles, translations)
+    if filming.in_place:
+        translations = np.where(_OVER_GROUND, translations[:1], translations)
     angles.flags.writeable = translations.flags.writeable = False
-    along = translations if follow else np.zeros_like(translations)
+    along = translations if filming.follow else np.zeros_like(translations)
     return _Run(figure_of(who), angles, translations, along)
 
 

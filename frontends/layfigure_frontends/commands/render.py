@@ -44,6 +44,14 @@ film_options = as_record(
         help="Only pictures A up to but without B, from 0.",
     ),
     click.option("--figure", help="The figure that a motion moves.  [default: the motion's own]"),
+    click.option(
+        "--repeat",
+        type=click.IntRange(1, 1000),
+        default=1,
+        metavar="N",
+        help="Show a motion N times in a row; it goes on from where it has got to.",
+    ),
+    click.option("--in-place", is_flag=True, help="Leave out how a motion goes over the ground, as on a treadmill."),
     click.option("--dry-run", is_flag=True, help="Say what would be drawn: durations, pictures, clamps, seams."),
     click.option("--no-cache", is_flag=True, help="Draw everything anew and keep nothing."),
 )

@@ -21,6 +21,8 @@ class FilmChoice:
         rate: pictures per second.
         part: the first picture and the one before which to stop; None is the end.
         figure: what a motion moves.
+        repeat: how many times a motion is shown in a row.
+        in_place: whether a motion's travel over the ground is left out.
     """
 
     size: tuple[int | None, int] | None = None
@@ -30,6 +32,8 @@ class FilmChoice:
     rate: Fraction | None = None
     part: tuple[int, int | None] | None = None
     figure: str | None = None
+    repeat: int = 1
+    in_place: bool = False
     dry_run: bool = False
     no_cache: bool = False
 

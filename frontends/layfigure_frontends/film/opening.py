@@ -26,6 +26,7 @@ def open_film(
         LayfigureError: it cannot be opened, or what is asked for is not in it.
     """
     kind = source.suffix.lower()
+    check_asked(source, asked)
     if kind == SCRIPT:
         from layfigure_frontends.film.sources import scripts
 
@@ -40,3 +41,19 @@ def open_film(
 
         film = poses.film_of_file(source, asked, choice, loop=output is None or moves(output))
     return part_of(film, asked.part)
+
+
+def check_asked(source: Path, asked: FilmChoice) -> None:
+    """Find out whether a file can be shown as is asked.
+
+    Raises:
+        LayfigureError: it is no motion, and is asked for what only motions can.
+    """
+    from layfigure.errors import LayfigureError
+
+    if source.suffix.lower() == MOTION:
+        return
+    if asked.repeat > 1:
+        raise LayfigureError("--repeat is for motions; in a script write REPEAT or 3 * motion")
+    if asked.in_place:
+        raise LayfigureError("--in-place is for motions; in a script write without(motion, place)")

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from layfigure_frontends.film.choice import FilmChoice
-from layfigure_frontends.film.opening import MOTION, SCRIPT
+from layfigure_frontends.film.opening import MOTION, SCRIPT, check_asked
 from layfigure_frontends.film.outputs import moves
 from layfigure_frontends.film.sinks import frames
 
@@ -28,6 +28,7 @@ def draw_stills(source: Path, output: Path, asked: FilmChoice, choice: PluginCho
     kind = source.suffix.lower()
     if moves(output) or kind in (MOTION, SCRIPT) or (kind == SET and output.suffix):
         return []
+    check_asked(source, asked)
     from layfigure.poses.pose_set import load_poses
     from layfigure.session.picture_file import save_picture
     from layfigure_frontends.film.sources.poses import options_for, session_on

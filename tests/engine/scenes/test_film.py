@@ -73,6 +73,15 @@ def test_a_camera_that_follows_goes_along_with_the_root(host):
     assert film.pictures[0].camera.width < film_of_motion(HUMANOID, JUMP).pictures[0].camera.width
 
 
+def test_in_place_a_motion_keeps_where_it_begins_over_the_ground_and_still_goes_up_and_down():
+    film = film_of_motion(HUMANOID, JUMP.hold(1), Filming(in_place=True))
+    carried = np.array([picture.actors[0].translation for picture in film.pictures])
+    free = np.array([picture.actors[0].translation for picture in film_of_motion(HUMANOID, JUMP.hold(1)).pictures])
+    assert (carried[:, [0, 2]] == free[0, [0, 2]]).all() and np.ptp(free[:, 2]) > 100
+    assert (carried[:, 1] == free[:, 1]).all() and np.ptp(carried[:, 1]) == 80
+    assert len({picture.camera for picture in film.pictures}) == 1
+
+
 def test_both_ends_are_shown_and_of_a_loop_only_the_beginning():
     assert len(film_of_motion(HUMANOID, JUMP).pictures) == 13
     assert len(film_of_motion(HUMANOID, JUMP, Filming(loop=True)).pictures) == 12

@@ -4,6 +4,7 @@ import importlib.util
 import json
 import shutil
 import subprocess
+import sys
 from fractions import Fraction
 
 import av
@@ -74,11 +75,22 @@ def test_even_sizes_need_no_word(tmp_path, film):
     assert remarks(film, tmp_path / "film.mp4") == ()
 
 
-def test_without_pyav_it_says_what_to_install(tmp_path, film, monkeypatch):
+@pytest.mark.parametrize(
+    ("python", "named"),
+    [
+        ("work/.venv/bin/python3", ".venv/bin/python3"),
+        ("work/my tools/python3", "'my tools/python3'"),
+        ("/usr/bin/python3", "/usr/bin/python3"),
+    ],
+)
+def test_without_pyav_it_says_what_to_install_and_with_which_python(tmp_path, film, monkeypatch, python, named):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    with pytest.raises(LayfigureError, match=r"pip install 'layfigure\[video\]'"):
+    monkeypatch.setattr(sys, "executable", str(tmp_path / python))
+    (tmp_path / "work").mkdir()
+    monkeypatch.chdir(tmp_path / "work")
+    with pytest.raises(LayfigureError, match=rf"with: {named} -m pip install 'layfigure\[video\]' \(or"):
         produce(film, tmp_path / "film.mp4")
-    assert list(tmp_path.iterdir()) == []
+    assert list((tmp_path / "work").iterdir()) == []
 
 
 @pytest.mark.skipif(shutil.which("ffprobe") is None, reason="ffprobe is not installed")

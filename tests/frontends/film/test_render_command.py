@@ -13,13 +13,16 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from layfigure import compiled
+from layfigure import compiled, resources
 from layfigure.figures.library import load_figure
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import save_motion
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose
 from layfigure.poses.pose_set import save_poses
+from layfigure_frontends.film.choice import FilmChoice
+from layfigure_frontends.film.opening import open_film
+from layfigure_frontends.opening import PluginChoice
 
 LIMITED = (
     "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000));"
@@ -132,6 +135,28 @@ def test_another_figure_may_move_so(folder, render):
     told = render("wave.motion", "--figure", "horse", "--dry-run").stdout
     assert "clamped 11 of 24 samples, worst leftupperarm.flexion +15 degrees at frame 12" in told
     assert "clamped none of 24 samples" in render("wave.motion", "--dry-run").stdout
+
+
+def test_a_motion_repeated_goes_on_from_where_it_has_got_to_unless_it_stays_in_place(folder, layfigure_places):
+    def depths(**asked) -> list[float]:
+        film = open_film(resources.data("motions", "walk.motion"), None, FilmChoice(**asked), PluginChoice())
+        return [picture.actors[0].translation[2] for picture in film.reels[0].pictures.shooting.pictures]
+
+    once, thrice = depths(), depths(repeat=3)
+    assert (len(once), len(thrice)) == (28, 84), "the end, which is the beginning again, is left out"
+    stride = thrice[28] - thrice[0]
+    assert abs(stride) > 100
+    np.testing.assert_allclose(thrice, [depth + n * stride for n in range(3) for depth in once], atol=1e-9)
+    assert set(depths(repeat=2, in_place=True)) == {once[0]}
+
+
+@pytest.mark.parametrize("option", [("--repeat", "2"), ("--in-place",)])
+def test_what_is_for_motions_is_refused_for_scripts_and_poses(folder, render, option):
+    (folder / "a.lay").write_text("PRINT 1")
+    for name in ("a.lay", "two.poses"):
+        done = render(name, "--dry-run", *option)
+        assert done.returncode == 2 and f"{option[0]} is for motions" in done.stderr
+    assert f"{option[0]} is for motions" in render("two.poses", "-o", "pictures", *option).stderr
 
 
 @pytest.mark.parametrize("view", ["front", "sheet", "top"])

@@ -197,6 +197,9 @@ def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
     if path.suffix == ".poses":
         figure, poses = load_poses(path)
         return figure, poses[0]
+    if path.suffix.lower() == MOTION:
+        sentence = f"is a motion, not a pose; layfigure check tells of it, and layfigure render {path.name} draws it"
+        raise FileError(f"{path}: {sentence}")
     exchange = host.first("layfigure_read", path=path)
     if not isinstance(exchange, Exchange) or not exchange.poses:
         raise FileError(f'{path}: is neither a .pose nor a .fig file, and no plug-in reads "{path.suffix}" files')

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
+import os
+import shlex
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -44,9 +47,19 @@ def check() -> None:
     from layfigure.errors import LayfigureError
 
     if importlib.util.find_spec("av") is None:
-        raise LayfigureError(
-            "writing .mp4 needs PyAV; install it with: pip install 'layfigure[video]' (or write .webp, .gif or .apng)"
-        )
+        install = f"{_interpreter()} -m pip install 'layfigure[video]'"
+        raise LayfigureError(f"writing .mp4 needs PyAV; install it with: {install} (or write .webp, .gif or .apng)")
+
+
+def _interpreter() -> str:
+    """Return the running Python as a shell finds it: from the folder one is in where that is shorter."""
+    running = sys.executable or "python"
+    try:
+        beside = os.path.relpath(running)
+    except (OSError, ValueError):  # the folder is gone, or lies on another drive
+        beside = running
+    shortest = min(running, beside, key=len)
+    return shlex.quote(shortest) if os.name == "posix" else f'"{shortest}"'
 
 
 def write(film: Film, pictures: Iterator[Pixels], path: Path) -> None:

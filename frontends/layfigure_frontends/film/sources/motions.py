@@ -37,10 +37,12 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
     rate = asked.rate or file.rate
-    filming = Filming(view, rate, file.rate, size.width / size.height, loop=_goes_round(file.motion, curves))
+    motion = file.motion * asked.repeat if asked.repeat > 1 else file.motion
+    aspect, loop = size.width / size.height, _goes_round(file.motion, curves)
+    filming = Filming(view, rate, file.rate, aspect, loop=loop, in_place=asked.in_place)
     usual = load_configuration(choice.config).figure
     figure = _figure(drawers.host, file.figure, source, asked.figure, usual)
-    shot = film_of_motion(figure, file.motion, filming, curves=curves)
+    shot = film_of_motion(figure, motion, filming, curves=curves)
     strange = (f"{figure.name} has no joint {', '.join(shot.unknown)}",) if shot.unknown else ()
     return Film(
         reels_of((shot,), drawers),
