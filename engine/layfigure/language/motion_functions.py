@@ -76,14 +76,6 @@ def _warp(a: Arguments) -> Motion:
     return a.result(warp(motion, ease, a.evaluator.curves))
 
 
-def _slerp(a: Arguments) -> Motion:
-    from layfigure.motions.slerp import slerp
-
-    motion, figure = a.motion(0), a.model(1).figure
-    _baked(a, motion)
-    return a.result(slerp(motion, figure))
-
-
 def _slowed(a: Arguments) -> Motion:
     from layfigure.motions.rates import within_rates
 
@@ -187,7 +179,6 @@ MOTION_FUNCTIONS: dict[str, Function] = {
     "additive": Function("additive(motion, layer [, weight])", 2, 3, _additive),
     "noise": Function("noise(motion, degrees, seed [, period])", 3, 4, _noise),
     "warp": Function("warp(motion, interpolation)", 2, 2, _warp),
-    "slerp": Function("slerp(motion, model)", 2, 2, _slerp),
     "slowed": Function("slowed(motion, velocity [, acceleration])", 2, 3, _slowed),
     "slerp": Function("slerp(motion, model)", 2, 2, _slerp),
     "mirror": Function("mirror(motion, model)", 2, 2, lambda a: mirror(a.motion(0), a.model(1).figure)),
