@@ -13,7 +13,8 @@ from layfigure.models import LinkOf, Shape
 from layfigure.motions.building import from_poses
 from layfigure.motions.keys import PLACE, ROOT_JOINT
 from layfigure.motions.mirroring import mask, mirror
-from layfigure.motions.motion import RATE, Motion
+from layfigure.motions.motion import Motion
+from layfigure.motions.numbers import RATE
 from layfigure.motions.seams import seam_between
 from layfigure.motions.standard import interpolation
 

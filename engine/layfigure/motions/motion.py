@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from layfigure.errors import LayfigureError
+from layfigure.motions import further
 from layfigure.motions.keys import PLACE, Mark, Span, Tracks, Values, held, in_order, joint_id, joint_ids
 from layfigure.motions.numbers import Rational, bounded, rational, written
 from layfigure.motions.size import check_size
@@ -19,13 +20,7 @@ from layfigure.motions.span_curve import State, exact_states
 from layfigure.motions.standard import STANDARD, Curves
 
 if TYPE_CHECKING:
-    from layfigure.figures.figure import Figure
     from layfigure.motions.building import JointKeys
-    from layfigure.motions.clamping import ClampReport
-    from layfigure.motions.seams import SeamReport
-
-RATE = 24
-"""Frames of a second, where nobody says otherwise."""
 
 Angles = tuple[float, float, float]
 
@@ -284,83 +279,17 @@ class Motion:
 
     # Beyond 1986
 
-    def speed(self, factor: Rational) -> Motion:
-        """Return the motion that many times as fast.
-
-        Raises:
-            LayfigureError: the factor is not over 0.
-        """
-        times = rational(factor, "the speed")
-        if times <= 0:
-            raise LayfigureError(f"the speed is {written(times)}, but must be over 0; reverse() turns a motion round")
-        return self.scale(frames=1 / times)
-
-    def fit(self, seconds: Rational, rate: Rational = RATE) -> Motion:
-        """Return the motion stretched or pressed to last some seconds at ``rate`` frames a second.
-
-        Raises:
-            LayfigureError: a number is not over 0, or the motion has no length.
-        """
-        wanted = rational(seconds, "the time to fit") * rational(rate, "the rate")
-        if wanted <= 0 or not self.duration:
-            raise LayfigureError("a motion of some length can be fitted to a time over 0, no other")
-        return self.scale(frames=wanted / self.duration)
-
-    def hold(self, frames: Rational) -> Motion:
-        """Return the motion with its joints staying where they end for some frames more.
-
-        Raises:
-            LayfigureError: the number is negative.
-        """
-        more = rational(frames, "the frames to hold")
-        if more < 0:
-            raise LayfigureError(f"a motion cannot be held for {written(more)} frames; give 0 or more")
-        until = self.duration + more
-        return Motion(until, held(self.tracks, self.duration, until), self.marks)
-
-    def then(self, other: Motion, curves: Curves = STANDARD) -> tuple[Motion, SeamReport]:
-        """Return this motion followed by another, and what jumps at the seam; raises as :meth:`at` does."""
-        from layfigure.motions.seams import seam_between
-
-        return self + other, seam_between(self, other, curves=curves)
-
-    def loop(self, curves: Curves = STANDARD) -> SeamReport:
-        """Return what jumps where the motion is repeated, from its end to its beginning; raises as :meth:`at` does."""
-        from layfigure.motions.seams import seam_between
-
-        return seam_between(self, self, curves=curves)
-
-    def marked(self, time: Rational, name: str) -> Motion:
-        """Return the motion with a mark (an event); marks move with time as it is scaled, reversed and joined.
-
-        Raises:
-            LayfigureError: the time lies outside the motion, or the name is none.
-        """
-        return Motion(self.duration, self.tracks, (*self.marks, Mark(rational(time, "the mark"), joint_id(name))))
-
-    def warp(self, ease: Callable[[float], float]) -> Motion:
-        """Return the motion with its time eased: :func:`layfigure.motions.warping.warp`."""
-        from layfigure.motions.warping import warp
-
-        return warp(self, ease)
-
-    def mirror(self, figure: Figure) -> Motion:
-        """Return the motion as a mirror shows it: :func:`layfigure.motions.mirroring.mirror`."""
-        from layfigure.motions.mirroring import mirror
-
-        return mirror(self, figure)
-
-    def within_rates(self, velocity: Rational | None = None, acceleration: Rational | None = None) -> Motion:
-        """Return the motion slowed where it is too fast: :func:`layfigure.motions.rates.within_rates`."""
-        from layfigure.motions.rates import within_rates
-
-        return within_rates(self, velocity, acceleration)
-
-    def clamped(self, figure: Figure) -> tuple[Motion, ClampReport]:
-        """Return the motion with its keys inside a figure's limits: :func:`layfigure.motions.clamping.clamped`."""
-        from layfigure.motions.clamping import clamped
-
-        return clamped(self, figure)
+    speed = further.speed
+    fit = further.fit
+    hold = further.hold
+    then = further.then
+    loop = further.loop
+    marked = further.marked
+    warp = further.warp
+    mirror = further.mirror
+    within_rates = further.within_rates
+    clamped = further.clamped
+    slerp = further.slerp
 
 
 def in_a_row(motions: Iterable[Motion]) -> Motion:

@@ -25,9 +25,9 @@ from layfigure.figures.figure import Figure
 from layfigure.files.reading import read_text
 from layfigure.files.words import Word
 from layfigure.files.writing import write_text
-from layfigure.motions.motion import RATE, Motion
+from layfigure.motions.motion import Motion
 from layfigure.motions.motion_text import MotionReader, body
-from layfigure.motions.numbers import Rational, rational, written
+from layfigure.motions.numbers import RATE, Rational, rational, written
 from layfigure.poses.pose_file import figure_reference
 
 VERSION = 1

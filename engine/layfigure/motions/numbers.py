@@ -10,6 +10,9 @@ from fractions import Fraction
 from layfigure.errors import LayfigureError
 
 Rational = Fraction | int | str | float | Decimal
+RATE = 24
+"""Frames of a second, where nobody says otherwise."""
+
 MAXIMUM_DIGITS = 36
 _LARGEST = 10**MAXIMUM_DIGITS
 _DECIMAL_PLACES = 15

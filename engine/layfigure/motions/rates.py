@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from layfigure.errors import LayfigureError
 from layfigure.motions.compiling import Compiled, compiled
 from layfigure.motions.keys import PLACE, joint_id
-from layfigure.motions.motion import RATE, Motion
-from layfigure.motions.numbers import Rational, rational
+from layfigure.motions.motion import Motion
+from layfigure.motions.numbers import RATE, Rational, rational
 from layfigure.motions.standard import STANDARD, Curves
 
 Floats = NDArray[np.float64]

@@ -16,8 +16,8 @@ from layfigure.motions.clamping import ClampReport, clamp_samples
 from layfigure.motions.compiling import Compiled, compiled
 from layfigure.motions.joints import joint_limbs
 from layfigure.motions.keys import PLACE
-from layfigure.motions.motion import RATE, Motion
-from layfigure.motions.numbers import Rational, rational
+from layfigure.motions.motion import Motion
+from layfigure.motions.numbers import RATE, Rational, rational
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.motions.travel import travel
 from layfigure.poses.pose import Pose

@@ -8,8 +8,8 @@ from itertools import pairwise
 
 from layfigure.files.decimals import plain
 from layfigure.motions.keys import PLACE, Span
-from layfigure.motions.motion import RATE, Motion
-from layfigure.motions.numbers import Rational, rational
+from layfigure.motions.motion import Motion
+from layfigure.motions.numbers import RATE, Rational, rational
 from layfigure.motions.span_curve import State, exact_states
 from layfigure.motions.standard import STANDARD, Curves
 

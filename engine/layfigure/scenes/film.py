@@ -14,8 +14,8 @@ from layfigure.drawing.sheets import SHEET, layout
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
 from layfigure.models.articulated import Model
-from layfigure.motions.motion import RATE, Motion
-from layfigure.motions.numbers import Rational, rational
+from layfigure.motions.motion import Motion
+from layfigure.motions.numbers import RATE, Rational, rational
 from layfigure.motions.sampling import frame_times, sample
 from layfigure.motions.standard import STANDARD, Curves
 from layfigure.poses.pose import Pose
