@@ -93,6 +93,41 @@ def angles_of(rotation: ArrayLike) -> Floats:
     return np.stack([flexion, pivot, twist], axis=-1)
 
 
+def exact_angles(rotation: Floats) -> Floats:
+    """Return flexion, pivot, twist in degrees (..., 3) of rotation matrices (..., 3, 3), exact for every rotation.
+
+    By the quaternion's swing-twist parts, which keep their digits where the limb points backwards and the swing's
+    direction alone says nothing (posing.md 1).
+    """
+    w, x, y, z = np.moveaxis(quaternions(rotation), -1, 0)
+    half_turn = np.arctan2(y, w)
+    cosine, sine = np.cos(half_turn), np.sin(half_turn)
+    half = np.stack([-(z * cosine - x * sine), np.hypot(w, y), x * cosine + z * sine], axis=-1)
+    flexion, pivot = swing_angles(half)
+    return np.stack([flexion, pivot, 2 * np.degrees(half_turn)], axis=-1)
+
+
+def quaternions(rotation: Floats) -> Floats:
+    """Return unit quaternions (..., 4), w x y z with w >= 0, of rotation matrices (..., 3, 3).
+
+    Each row of 4 q q^T is the quaternion times a component; the longest row is the one with most digits (Shepperd
+    1978).
+    """
+    m = np.asarray(rotation, dtype=np.float64)
+    trace = np.trace(m, axis1=-2, axis2=-1)
+    outer = np.empty((*m.shape[:-2], 4, 4))
+    outer[..., 0, 0] = 1.0 + trace
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        outer[..., i + 1, i + 1] = 1.0 + 2.0 * m[..., i, i] - trace
+        outer[..., 0, i + 1] = outer[..., i + 1, 0] = m[..., k, j] - m[..., j, k]
+        outer[..., j + 1, k + 1] = outer[..., k + 1, j + 1] = m[..., k, j] + m[..., j, k]
+    best = np.einsum("...ii->...i", outer).argmax(axis=-1)
+    row = np.take_along_axis(outer, best[..., None, None], axis=-2)[..., 0, :]
+    unit = row / np.linalg.norm(row, axis=-1, keepdims=True)
+    return np.asarray(np.where(unit[..., :1] < 0.0, -unit, unit))
+
+
 def canonical(angles: ArrayLike) -> Floats:
     """Return committed joint angles (n, 3) in degrees: wrapped, inside the domain, rounded to 1e-6 degree.
 

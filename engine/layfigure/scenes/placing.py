@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
-from layfigure.kinematics.swing import rotations
-from layfigure.models.rerooting import exact_angles
+from layfigure.kinematics.joints import about_axes
+from layfigure.kinematics.swing import exact_angles, rotations
 from layfigure.scenes.camera import Point, flipped
 
 Floats = NDArray[np.float64]
-_MIRROR = np.diag([1.0, 1.0, -1.0])
+_SENSES = np.array([-1.0, -1.0, 1.0])  # of turns about x, y and z, seen in a mirror across z
 
 
 @dataclass(frozen=True)
@@ -38,11 +38,7 @@ class Place:
     @property
     def matrix(self) -> Floats:
         """The turn (3, 3) in the program's left-handed world."""
-        x, y, z = np.radians(self.rotation)
-        about_x = np.array([[1, 0, 0], [0, np.cos(x), -np.sin(x)], [0, np.sin(x), np.cos(x)]])
-        about_y = np.array([[np.cos(y), 0, np.sin(y)], [0, 1, 0], [-np.sin(y), 0, np.cos(y)]])
-        about_z = np.array([[np.cos(z), -np.sin(z), 0], [np.sin(z), np.cos(z), 0], [0, 0, 1]])
-        return np.asarray(_MIRROR @ about_x @ about_y @ about_z @ _MIRROR)
+        return about_axes(np.array(self.rotation) * _SENSES)
 
     @property
     def shift(self) -> Floats:

@@ -7,9 +7,8 @@ from hypothesis import strategies as st
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.library import load_figure
-from layfigure.kinematics.swing import rotations
+from layfigure.kinematics.swing import exact_angles, rotations
 from layfigure.models import Link, Model, box, joint, model
-from layfigure.models.rerooting import exact_angles
 
 FREE = dict.fromkeys("xyz", (-720, 720))
 ANGLE = st.floats(-360, 360)
