@@ -107,3 +107,35 @@ def test_a_bad_file_leaves_all_as_it_was(session, tmp_path):
     with pytest.raises(LayfigureError, match=r"x\.motion:3:5"):
         session.execute("open x")
     assert session.document is before
+
+
+@pytest.mark.parametrize("first", [(), ("motion-close",), ("motion-close", "undo"), ("undo",)], ids=" ".join)
+@pytest.mark.parametrize(
+    "second", [("motion-new 10",), ("keys-from-candidates",), ("open walk",), ("open walk", "undo")], ids=" ".join
+)
+def test_another_motion_is_not_saved_over_the_one_before(session, tmp_path, first, second):
+    for line in ("motion-new 30", "key 20", "save"):
+        session.execute(line)
+    kept = (tmp_path / "humanoid-1.motion").read_text(encoding="utf-8")
+    for line in (*first, *second, "key 7", "save"):
+        session.execute(line)
+    assert (tmp_path / "humanoid-1.motion").read_text(encoding="utf-8") == kept
+    assert (tmp_path / "humanoid-2.motion").exists()
+
+
+def test_going_back_from_an_opened_motion_does_not_save_over_its_file(moving, tmp_path):
+    moving.execute("save bend")
+    kept = (tmp_path / "bend.motion").read_text(encoding="utf-8")
+    for line in ("motion-new 9", "open bend", "undo", "save"):
+        moving.execute(line)
+    assert (tmp_path / "bend.motion").read_text(encoding="utf-8") == kept
+    assert load_motion(tmp_path / "humanoid-1.motion").motion.duration == 9
+
+
+def test_a_motion_is_saved_beside_its_pose_unless_another_has_that_name(session, tmp_path):
+    (tmp_path / "wait.motion").write_text("mine", encoding="utf-8")
+    for name in ("wait", "sit"):
+        for line in (f"save {name}.pose", "motion-new 9", "save", "motion-close"):
+            session.execute(line)
+    assert (tmp_path / "wait.motion").read_text(encoding="utf-8") == "mine"
+    assert sorted(path.name for path in tmp_path.glob("*.motion")) == ["humanoid-1.motion", "sit.motion", "wait.motion"]
