@@ -9,6 +9,7 @@ from layfigure.errors import LayfigureError
 from layfigure.motions.library import motion_names
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
+from layfigure.poses.pose import Pose
 from layfigure.session.log import parse_log
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import SessionOptions
@@ -139,3 +140,17 @@ def test_a_motion_is_saved_beside_its_pose_unless_another_has_that_name(session,
             session.execute(line)
     assert (tmp_path / "wait.motion").read_text(encoding="utf-8") == "mine"
     assert sorted(path.name for path in tmp_path.glob("*.motion")) == ["humanoid-1.motion", "sit.motion", "wait.motion"]
+
+
+def test_an_opened_motion_starts_from_rest_where_it_names_no_joint(session):
+    session.execute("set rightthigh 80 0 0")
+    before, done = session.document, len(session.history.done)
+    session.execute("open wave")
+    thigh = session.document.figure.index("rightthigh")
+    rest = Pose.rest(session.document.figure)
+    assert (session.document.pose.angles[thigh] == rest.angles[thigh]).all()
+    assert session.document.pose != rest, "its own joints stand as the motion has them"
+    assert replayed(session).document.pose == session.document.pose
+    assert len(session.history.done) == done + 1
+    session.execute("undo")
+    assert session.document.same_as(before)

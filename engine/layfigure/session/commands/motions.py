@@ -13,6 +13,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.keys import PLACE
 from layfigure.motions.numbers import rational, written
 from layfigure.plugins.records import Command
+from layfigure.poses.pose import Pose
 from layfigure.session.commands.arguments import limbs as named_limbs
 from layfigure.session.commands.files import BREATH, STEP, VARIANTS, breathing, looped_motion
 from layfigure.session.commands.naming import CLOSED, KEYS, NEW, OPENED, forget_motion
@@ -236,8 +237,10 @@ def _motion(session: Session, words: tuple[str, ...]) -> None:
         found = unpack_motion(parts)
     except LayfigureError as error:
         raise WordError(2, str(error)) from None
+    rest = Pose.rest(session.document.figure)  # of joints that the motion does not name, whatever stood there before
     document = replace(session.document, motion=found.motion, rate=found.rate, playhead=Fraction(0))
-    _show(session, OPENED, document)
+    (pose,) = poses_at(replace(document, pose=rest), [Fraction(0)], known_curves(session.host))
+    session.commit(OPENED, session.workshop.set_pose(document, PoseSet(pose)))
     forget_motion(session)
     unknown = [joint for joint in found.motion.tracks if joint != PLACE and joint not in _known(session)]
     note = f"; the figure does not have {', '.join(unknown[:4])}{', …' if len(unknown) > 4 else ''}" if unknown else ""
