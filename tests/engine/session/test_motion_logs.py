@@ -154,3 +154,18 @@ def test_an_opened_motion_starts_from_rest_where_it_names_no_joint(session):
     assert len(session.history.done) == done + 1
     session.execute("undo")
     assert session.document.same_as(before)
+
+
+def test_what_is_opened_is_said_in_one_sentence_and_what_can_be_opened_by_its_length(session):
+    session.execute("open walk")
+    assert session.status == "Opened walk: a motion of 28 frames."
+    press(session, "ctrl+o")
+    rows = {row[0]: row[1] for row in session.frame(SIZE).overlay.rows}
+    assert rows["walk"] == "28 frames, comes with Layfigure"
+
+
+def test_after_a_command_that_lacks_a_word_the_word_is_typed_after_it(moving):
+    press(moving, ":", *"frame-at", "enter")
+    assert "a frame's number is wanted" in moving.mode.overlay().message
+    press(moving, *"30", "enter")
+    assert moving.document.playhead == 30 and moving.mode.state == "pose"

@@ -160,7 +160,8 @@ def _open_motion(session: Session, path: Path) -> None:
     for line in motion_lines(found.motion, found.rate):
         session.execute(line)
     session.saved_as = None if is_shipped(path) else path
-    session.say(f"Opened {path.stem if is_shipped(path) else _shown(path)}: {session.status}")
+    said = session.status[:1].lower() + session.status[1:]
+    session.say(f"Opened {path.stem if is_shipped(path) else _shown(path)}: {said}")
 
 
 def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:
