@@ -9,7 +9,7 @@ import click
 
 from layfigure import resources
 from layfigure.files.reading import read_text
-from layfigure.session.commands.files import free_path
+from layfigure.session.commands.naming import free_path
 from layfigure.session.log import SessionLog, parse_log
 from layfigure.session.replay import open_log, play
 from layfigure_frontends.opening import PluginChoice, open_host, open_session, session_options

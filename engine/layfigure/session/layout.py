@@ -35,7 +35,8 @@ def areas(size: Size, *, with_page: bool, with_time_line: bool = False) -> Areas
     if not with_time_line:
         return _above(bar, size, with_page=with_page)
     line = Rectangle(0, bar.y - strip, size.width, strip)
-    return _above(line, size, with_page=with_page)._replace(status=bar, time_line=line)
+    above = _above(line, size, with_page=with_page)
+    return (_panel_spared(above, size, strip) if with_page else above)._replace(status=bar, time_line=line)
 
 
 def time_line_height(size: Size) -> int:
@@ -60,6 +61,18 @@ def _above(bar: Rectangle, size: Size, *, with_page: bool) -> Areas:
     poser = Rectangle(left, top, column, poser_height)
     below = top + poser_height + round(of.gap_y * unit)
     return Areas(page, poser, Rectangle(left, below, column, bar.y - top - below), bar)
+
+
+def _panel_spared(above: Areas, size: Size, strip: int) -> Areas:
+    """Return areas whose working pose gives up the height of a strip below, where the panel's rows would go for it."""
+    of, poser, panel = metrics(size), above.poser, above.panel
+    wanted = min(round(of.panel_whole * size.scale) - panel.height, strip)
+    spare = poser.height - int((panel.y + panel.height - poser.y) * of.poser_share)
+    less = max(min(wanted, spare), 0)
+    return above._replace(
+        poser=poser._replace(height=poser.height - less),
+        panel=panel._replace(y=panel.y - less, height=panel.height + less),
+    )
 
 
 def _whole(length: int, grain: int) -> int:

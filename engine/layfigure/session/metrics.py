@@ -18,9 +18,10 @@ class Metrics:
     ``grain`` is what heights and tops are multiples of; ``full`` (width, height) is the least surface that shows three
     views of every candidate, ``least`` the least that shows anything. The column at the right takes ``column_share`` of
     the width, between ``column_least`` and ``column_most``; of its height the working pose may take ``poser_share``
-    however little the ``panel`` then has, at a shape of width / ``poser_shape``. ``views_least`` is the width at which
-    a pose is shown from three sides. ``tolerance`` and ``slack`` are distances of the pointer: beside a limb, and
-    between a click and a drag.
+    however little the ``panel`` then has, at a shape of width / ``poser_shape``; it makes room for a time line where the
+    panel would else have less than ``panel_whole``, all its rows. ``views_least`` is the width at which a pose is shown
+    from three sides. ``tolerance`` and ``slack`` are distances of the pointer: beside a limb, and between a click and
+    a drag.
     """
 
     grain: int = 1
@@ -30,6 +31,7 @@ class Metrics:
     gap_y: int = 8
     status: int = 34
     panel: int = 276
+    panel_whole: int = 490
     column_share: float = 0.235
     column_least: int = 290
     column_most: int = 460
@@ -98,6 +100,7 @@ CELLS = Metrics(
     gap_y=0,
     status=2,
     panel=40,
+    panel_whole=0,
     column_share=0.25,
     column_least=24,
     column_most=60,

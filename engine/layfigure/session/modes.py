@@ -227,6 +227,10 @@ class PaletteMode(Plain):
         """Return the state with the chosen row's command typed out."""
         return replace(self, text=complete(self.rows, self.chosen, self.text), chosen=0)
 
+    def awaiting(self) -> PaletteMode:
+        """Return the state with the command it would run typed out, so that the word it lacks is typed after it."""
+        return self if self.prefix else replace(self, text=f"{self.line()} ", chosen=0)
+
     def line(self) -> str:
         """Return the command line to run: what is typed if it names a command, else the chosen row."""
         if self.verbatim:

@@ -1,4 +1,4 @@
-"""Paints a time line: numbers above, keys as diamonds below, marks as flags, and the playhead through all of it."""
+"""Paints a time line: marks as flags with their names, keys as diamonds below, then numbers and the playhead's own."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ OVERSAMPLING = 4
 HALF_KEY = 5.5  # layout units
 TRACK = 4
 NUMBERS = 15
+MIDDLE = 22  # where the keys are, between the names of marks and the numbers
 POLE, TIP = 20, 6  # of a mark's flag
 EDGE = 5  # how far the groove goes beyond the first frame and the last
 
@@ -24,11 +25,10 @@ def paint_time_line(canvas: Canvas, line: TimeLine) -> None:
     """Paint a time line; where it is too low for numbers, without them."""
     box = line.track
     canvas.surface.fill(canvas.theme.window, line.rectangle)
-    top = canvas.pixels(NUMBERS) if line.every else 0
-    middle = box.y + top + (box.height - top) // 2
+    middle = box.y + (canvas.pixels(MIDDLE) if line.every else box.height // 2)
     _groove(canvas, line, middle)
     if line.every:
-        _numbers(canvas, line, middle)
+        _numbers(canvas, line)
     for frame, name in line.marks:
         _flag(canvas, line, (frame, name), middle)
     half = canvas.pixels(HALF_KEY)
@@ -49,17 +49,15 @@ def _groove(canvas: Canvas, line: TimeLine, middle: int) -> None:
     shapes.rounded(canvas.surface, groove, thick // 2, canvas.theme.track)
 
 
-def _numbers(canvas: Canvas, line: TimeLine, middle: int) -> None:
-    """Frame numbers with a tick below each; none where the playhead's own or a mark's name stands."""
-    width, top = canvas.pixels(44), line.track.y + canvas.pixels(2)
-    playhead, near = line.x_of(line.playhead), canvas.pixels(14)
-    names = [_name_room(canvas, line, mark, middle) for mark in line.marks]
+def _numbers(canvas: Canvas, line: TimeLine) -> None:
+    """Frame numbers with a tick above each; none where the playhead's own stands."""
+    width, top = canvas.pixels(44), line.track.y + line.track.height - canvas.pixels(NUMBERS + 1)
+    playhead, middle = line.x_of(line.playhead), line.track.y + canvas.pixels(MIDDLE)
     for frame in range(0, int(line.last) + 1, line.every):
         x = round(line.x_of(frame))
         canvas.surface.fill(canvas.theme.border, (x, middle - canvas.pixels(8), 1, canvas.pixels(16)))
-        named = any(name.x - near < x < name.x + name.width + near for name in names)
-        if not named and abs(x - playhead) > canvas.pixels(30):
-            room = _within(line, Rectangle(x - width // 2, top, width, canvas.pixels(NUMBERS)), canvas.pixels(EDGE))
+        if abs(x - playhead) > canvas.pixels(30):
+            room = _within(line, Rectangle(x - width // 2, top, width, canvas.pixels(NUMBERS)))
             align = "centre" if room.x == x - width // 2 else "right"
             canvas.text(room, str(frame), SMALL, canvas.theme.faint, align)
 
@@ -73,36 +71,36 @@ def _flag(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) 
     flag = [(x, middle - high), (x + tip, middle - high + side // 2), (x, middle - high + side)]
     pygame.draw.polygon(canvas.surface, colour, flag)
     if line.every:
-        canvas.text(_name_room(canvas, line, mark, middle), mark[1], SMALL, canvas.theme.muted)
+        canvas.text(_name_room(canvas, line, mark), mark[1], SMALL, canvas.theme.muted)
 
 
-def _name_room(canvas: Canvas, line: TimeLine, mark: tuple[float, str], middle: int) -> Rectangle:
+def _name_room(canvas: Canvas, line: TimeLine, mark: tuple[float, str]) -> Rectangle:
     """Return where the name of a mark is written: right of its flag, up to the next one's."""
     left = round(line.x_of(mark[0])) + canvas.pixels(TIP + 2)
     following = [round(line.x_of(frame)) for frame, _ in line.marks if frame > mark[0]]
     end = min([*following, line.track.x + line.track.width + canvas.pixels(EDGE)])
     width = min(canvas.width(mark[1], SMALL), max(end - left - canvas.pixels(4), 0))
-    return Rectangle(left, middle - canvas.pixels(POLE + 5), width, canvas.pixels(NUMBERS))
+    return Rectangle(left, line.track.y, width, canvas.pixels(NUMBERS))
 
 
 def _playhead(canvas: Canvas, line: TimeLine, middle: int) -> None:
-    """A line from top to bottom; where there are numbers, with the frame's own on a tag."""
+    """A line from top to bottom; where there are numbers, from below marks' names to a tag with the frame's own."""
     x, box = round(line.x_of(line.playhead)), line.track
     width = max(canvas.pixels(2), 1)
-    canvas.surface.fill(canvas.theme.accent, (x - width // 2, box.y + 1, width, box.height - 2))
+    top = middle - canvas.pixels(8) if line.every else box.y + 1
+    canvas.surface.fill(canvas.theme.accent, (x - width // 2, top, width, box.y + box.height - 1 - top))
     if not line.every:
         shapes.disc(canvas.surface, (x, middle), canvas.pixels(4), canvas.theme.accent)
         return
-    wide = canvas.width(line.spoken, SMALL) + canvas.pixels(10)
-    centred = Rectangle(x - wide // 2, box.y + canvas.pixels(1), wide, canvas.pixels(NUMBERS + 1))
-    tag = _within(line, centred, canvas.pixels(EDGE))
+    wide, high = canvas.width(line.spoken, SMALL) + canvas.pixels(10), canvas.pixels(NUMBERS)
+    tag = _within(line, Rectangle(x - wide // 2, box.y + box.height - high - canvas.pixels(1), wide, high))
     shapes.rounded(canvas.surface, tag, canvas.pixels(4), canvas.theme.accent)
     canvas.text(tag, line.spoken, SMALL, canvas.theme.on_accent, "centre")
 
 
-def _within(line: TimeLine, box: Rectangle, edge: int) -> Rectangle:
-    """Return a box moved so that it ends no further right than the line and its edge."""
-    return box._replace(x=min(box.x, line.track.x + line.track.width + edge - box.width))
+def _within(line: TimeLine, box: Rectangle) -> Rectangle:
+    """Return a box moved so that it ends no further right than the line."""
+    return box._replace(x=min(box.x, line.track.x + line.track.width - box.width))
 
 
 @lru_cache(maxsize=16)

@@ -5,44 +5,45 @@ from __future__ import annotations
 from layfigure.session.frame import TimeLine
 from layfigure_frontends.terminal.paper import Paper, Tone
 
-KEY, OTHER, MARK, HEAD = "◆", "◇", "▴", "│"
+KEY, OTHER, MARK, MARKED, HEAD = "◆", "◇", "▴", "◈", "│"  # MARKED: a key with a mark on it
 
 
 def paint_time_line(paper: Paper, line: TimeLine) -> None:
-    """Paint a time line; what stands in the same cell hides the other: playhead, key, another's key, mark, number."""
+    """Paint a time line; what stands in the same cell hides the other: playhead, mark, key, another's key, name, number."""
     theme, box = paper.theme, line.track
     ground = Tone(theme.faint, theme.raised)
     paper.fill(line.rectangle, paper.tone())
     end = int(line.x_of(line.end)) - box.x
     shown = ["─" if column <= end else "·" for column in range(box.width)]
     tones = [ground] * box.width
-    _numbers(line, shown)
-    for frames, sign, ink in (
-        ([frame for frame, _ in line.marks], MARK, theme.warning),
-        (line.others, OTHER, theme.muted),
-        (line.keys, KEY, theme.accent),
-    ):
+    _texts(line, shown)
+    for frames, sign, ink in ((line.others, OTHER, theme.muted), (line.keys, KEY, theme.accent)):
         for frame in frames:
             column = _column(line, frame)
             shown[column], tones[column] = sign, Tone(ink, theme.raised)
+    for frame, _ in line.marks:
+        column = _column(line, frame)
+        shown[column] = MARKED if shown[column] in (KEY, OTHER, MARKED) else MARK
+        tones[column] = Tone(theme.warning, theme.raised)
     column = _column(line, line.playhead)
-    if shown[column] not in (KEY, OTHER):
+    if shown[column] not in (KEY, OTHER, MARK, MARKED):
         shown[column] = HEAD
     tones[column] = Tone(theme.on_accent, theme.accent, strong=True, inverse=True)
     for place, (sign, tone) in enumerate(zip(shown, tones, strict=True)):
         paper.write(box.x + place, box.y, sign, tone, 1)
 
 
-def _numbers(line: TimeLine, shown: list[str]) -> None:
-    """Write frame numbers right of where their frames are, those that nothing else would hide in part."""
-    if not line.every:
-        return
+def _texts(line: TimeLine, shown: list[str]) -> None:
+    """Write names of marks and frame numbers right of where they are, those that nothing else would hide in part."""
     signs = (*line.keys, *line.others, line.playhead, *(frame for frame, _ in line.marks))
     taken = {_column(line, frame) for frame in signs}
-    for frame in range(0, int(line.last) + 1, line.every):
-        text, column = str(frame), _column(line, frame) + (frame > 0)
-        if column + len(text) <= len(shown) and taken.isdisjoint(range(column, column + len(text))):
-            shown[column : column + len(text)] = text
+    named = [(_column(line, frame) + 1, name) for frame, name in line.marks if name.isascii()]
+    frames = range(0, int(line.last) + 1, line.every) if line.every else ()
+    for column, text in (*named, *((_column(line, frame) + (frame > 0), str(frame)) for frame in frames)):
+        cells = range(column, column + len(text))
+        if cells.stop <= len(shown) and taken.isdisjoint(cells):
+            shown[column : cells.stop] = text
+            taken.update(range(column, cells.stop + 1))  # a cell apart from what follows
 
 
 def _column(line: TimeLine, frame: float) -> int:

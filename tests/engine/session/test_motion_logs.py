@@ -9,6 +9,7 @@ from layfigure.errors import LayfigureError
 from layfigure.motions.library import motion_names
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import load_motion
+from layfigure.poses.pose import Pose
 from layfigure.session.log import parse_log
 from layfigure.session.replay import open_log, play
 from layfigure.session.session import SessionOptions
@@ -107,3 +108,64 @@ def test_a_bad_file_leaves_all_as_it_was(session, tmp_path):
     with pytest.raises(LayfigureError, match=r"x\.motion:3:5"):
         session.execute("open x")
     assert session.document is before
+
+
+@pytest.mark.parametrize("first", [(), ("motion-close",), ("motion-close", "undo"), ("undo",)], ids=" ".join)
+@pytest.mark.parametrize(
+    "second", [("motion-new 10",), ("keys-from-candidates",), ("open walk",), ("open walk", "undo")], ids=" ".join
+)
+def test_another_motion_is_not_saved_over_the_one_before(session, tmp_path, first, second):
+    for line in ("motion-new 30", "key 20", "save"):
+        session.execute(line)
+    kept = (tmp_path / "humanoid-1.motion").read_text(encoding="utf-8")
+    for line in (*first, *second, "key 7", "save"):
+        session.execute(line)
+    assert (tmp_path / "humanoid-1.motion").read_text(encoding="utf-8") == kept
+    assert (tmp_path / "humanoid-2.motion").exists()
+
+
+def test_going_back_from_an_opened_motion_does_not_save_over_its_file(moving, tmp_path):
+    moving.execute("save bend")
+    kept = (tmp_path / "bend.motion").read_text(encoding="utf-8")
+    for line in ("motion-new 9", "open bend", "undo", "save"):
+        moving.execute(line)
+    assert (tmp_path / "bend.motion").read_text(encoding="utf-8") == kept
+    assert load_motion(tmp_path / "humanoid-1.motion").motion.duration == 9
+
+
+def test_a_motion_is_saved_beside_its_pose_unless_another_has_that_name(session, tmp_path):
+    (tmp_path / "wait.motion").write_text("mine", encoding="utf-8")
+    for name in ("wait", "sit"):
+        for line in (f"save {name}.pose", "motion-new 9", "save", "motion-close"):
+            session.execute(line)
+    assert (tmp_path / "wait.motion").read_text(encoding="utf-8") == "mine"
+    assert sorted(path.name for path in tmp_path.glob("*.motion")) == ["humanoid-1.motion", "sit.motion", "wait.motion"]
+
+
+def test_an_opened_motion_starts_from_rest_where_it_names_no_joint(session):
+    session.execute("set rightthigh 80 0 0")
+    before, done = session.document, len(session.history.done)
+    session.execute("open wave")
+    thigh = session.document.figure.index("rightthigh")
+    rest = Pose.rest(session.document.figure)
+    assert (session.document.pose.angles[thigh] == rest.angles[thigh]).all()
+    assert session.document.pose != rest, "its own joints stand as the motion has them"
+    assert replayed(session).document.pose == session.document.pose
+    assert len(session.history.done) == done + 1
+    session.execute("undo")
+    assert session.document.same_as(before)
+
+
+def test_what_is_opened_is_said_in_one_sentence_and_what_can_be_opened_by_its_length(session):
+    session.execute("open walk")
+    assert session.status == "Opened walk: a motion of 28 frames."
+    press(session, "ctrl+o")
+    rows = {row[0]: row[1] for row in session.frame(SIZE).overlay.rows}
+    assert rows["walk"] == "28 frames, comes with Layfigure"
+
+
+def test_after_a_command_that_lacks_a_word_the_word_is_typed_after_it(moving):
+    press(moving, ":", *"frame-at", "enter")
+    assert "a frame's number is wanted" in moving.mode.overlay().message
+    press(moving, *"30", "enter")
+    assert moving.document.playhead == 30 and moving.mode.state == "pose"

@@ -3,7 +3,7 @@
 import pytest
 
 from layfigure.session.events import PointerEvent
-from layfigure.session.frame import Label, Size, TimeLine
+from layfigure.session.frame import Button, Label, Size, TimeLine
 
 from .conftest import ARM, SIZE, arm, line_of, press, shown_frame
 
@@ -76,3 +76,17 @@ def test_the_wheel_over_it_steps(moving):
     line = line_of(moving)
     moving.handle(PointerEvent("wheel", line.x_of(20), line.track.y + 5, steps=-1.0))
     assert moving.document.playhead == 1
+
+
+@pytest.mark.parametrize("size", [Size(1216, 800), SIZE, Size(1920, 1080), Size(1280, 720), Size(2432, 1600, 2.0)])
+def test_opening_a_motion_takes_no_row_from_the_panel(session, size):
+    def buttons():
+        return {widget.command for widget in session.frame(size).widgets if isinstance(widget, Button)}
+
+    session.execute("use generator")
+    before = buttons()
+    assert ("within-limits" in before) == (size.height / size.scale >= 800)
+    session.execute("motion-new")
+    assert before <= buttons()
+    panes = [pane.rectangle for pane in session.frame(size).panes if pane.candidate < 0]
+    assert all(pane.height >= 50 for pane in panes)

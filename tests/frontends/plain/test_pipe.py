@@ -44,7 +44,7 @@ def test_a_motion_is_gone_through_and_keyed_in_words(tmp_path):
              "save mine", "open mine.motion"]  # fmt: skip
     status, out, errors = plain(lines, tmp_path)
     said = out.splitlines()
-    assert said[0].startswith("Opened squat: A motion of ")
+    assert said[0].startswith("Opened squat: a motion of ")
     assert any(line.startswith("Frame 6 of ") and "keys beside it: " in line for line in said)
     assert any(line.startswith("Frame ") and ", a key of " in line for line in said)
     assert any(line.startswith("Key of all joints at frame ") for line in said)

@@ -176,3 +176,21 @@ def test_playhead_and_keys_stand_where_a_click_finds_them(moving, size, theme):
         assert accent in shown, frame
     bare = [surface.get_at((round(line.x_of(6)), y))[:3] for y in range(line.track.y, line.track.y + line.track.height)]
     assert accent not in bare
+
+
+def test_names_of_marks_numbers_and_the_playhead_do_not_hide_each_other(moving, monkeypatch):
+    from layfigure_frontends.sdl.canvas import Canvas
+
+    written, text = [], Canvas.text
+    monkeypatch.setattr(Canvas, "text", lambda self, box, words, *rest: written.append((words, box)) or text(
+        self, box, words, *rest))  # fmt: skip
+    moving.execute("open walk")
+    moving.execute("frame-at 14")
+    frame = moving.frame(SIZE)
+    paint(surface_for(SIZE), frame, Painting(moving.draw))
+    line = next(w for w in frame.widgets if isinstance(w, TimeLine))
+    names = [box for words, box in written if words in ("right-down", "left-down")]
+    numbers = [box for words, box in written if words.isdigit() and box.y > line.track.y]
+    assert len(names) == 2 and len(numbers) == len(range(0, 29, line.every))
+    assert all(name.y + name.height <= number.y for name in names for number in numbers)
+    assert max(number.x + number.width for number in numbers) <= line.track.x + line.track.width

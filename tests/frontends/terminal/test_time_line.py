@@ -60,3 +60,23 @@ def test_without_colours_the_playhead_is_inverse(moving):
     styles = cells["style"]
     at = int(line.x_of(20))
     assert styles[at] != styles[at + 1]
+
+
+def test_marks_are_shown_with_their_names_where_nothing_would_hide_them(session):
+    session.execute("open hop")
+    mark = session.document.motion.marks[0]
+    session.execute("frame-at 1")
+    line, text, _ = strip(session, 160, 50)
+    at = int(line.x_of(float(mark.time)))
+    assert text[at] in "▴◈"
+    assert (text[at] == "◈") == (float(mark.time) in (*line.keys, *line.others))
+
+
+def test_the_name_of_a_mark_stands_beside_it(session, tmp_path):
+    (tmp_path / "x.motion").write_text(
+        "layfigure motion 1\nmark 10 land\njoint neck\n0 0 0 0\n40 5 0 0\n", encoding="utf-8"
+    )
+    session.execute("open x")
+    line, text, _ = strip(session, 160, 50)
+    at = int(line.x_of(10))
+    assert text[at : at + 5] == "▴land"

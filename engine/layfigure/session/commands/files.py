@@ -18,6 +18,7 @@ from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose, save_pose
 from layfigure.poses.pose_set import MAXIMUM_POSES, load_poses, save_poses
 from layfigure.session.commands.arguments import named_file
+from layfigure.session.commands.naming import free_path, save_path
 from layfigure.session.commands.pose import pose_line
 from layfigure.session.document import Document
 from layfigure.session.figures import figure_beside, reference_to
@@ -38,7 +39,7 @@ STEP = 12
 
 def _save(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 1)
-    path = _save_path(session, words[0] if words else "")
+    path = named_file(session, words[0]) if words and words[0] else save_path(session)
     if path.suffix == MOTION or (not path.suffix and session.document.motion is not None):
         _save_motion(session, path.with_suffix(MOTION))
         return
@@ -117,30 +118,6 @@ def looped_motion(document: Document, poses: Sequence[Pose], step: int = STEP) -
     return from_poses(document.figure, [(step * index, pose) for index, pose in enumerate(poses)], loop=True)
 
 
-def _save_path(session: Session, name: str) -> Path:
-    """Return where to save: as a person says, or where it was saved last; a motion beside the pose it came from."""
-    if name:
-        return named_file(session, name)
-    suffix = ".pose" if session.document.motion is None else MOTION
-    if session.saved_as is not None:
-        return session.saved_as.with_suffix(suffix)
-    return free_path(session.options.folder, session.document.figure.name).with_suffix(suffix)
-
-
-def free_path(folder: Path, figure: str) -> Path:
-    """Return the first of ``figure-1.pose``, ``figure-2.pose``, … that takes no pose's, picture's or motion's place.
-
-    Raises:
-        ImpossibleError: thousands of names are taken.
-    """
-    stem = "".join(character if character.isalnum() or character in "-_" else "-" for character in figure)
-    for count in range(1, 10_000):
-        path = folder / f"{stem}-{count}.pose"
-        if not any(path.with_suffix(suffix).exists() for suffix in (".pose", ".png", MOTION)):
-            return path
-    raise ImpossibleError("thousands of poses are here already; save under a name of your own")
-
-
 def _open(session: Session, words: tuple[str, ...]) -> None:
     name = required(words, 0, "a file's name")
     path = named_file(session, name)
@@ -183,7 +160,8 @@ def _open_motion(session: Session, path: Path) -> None:
     for line in motion_lines(found.motion, found.rate):
         session.execute(line)
     session.saved_as = None if is_shipped(path) else path
-    session.say(f"Opened {path.stem if is_shipped(path) else _shown(path)}: {session.status}")
+    said = session.status[:1].lower() + session.status[1:]
+    session.say(f"Opened {path.stem if is_shipped(path) else _shown(path)}: {said}")
 
 
 def figure_and_pose(host: Host, path: Path) -> tuple[Figure, Pose]:

@@ -11,7 +11,7 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.figures.library import figure_names
 from layfigure.files.decimals import plain
 from layfigure.kinematics.forward import place_pose
-from layfigure.motions.library import SUFFIX, motion_names
+from layfigure.motions.library import SUFFIX, motion_files, shipped_length
 from layfigure.motions.numbers import written
 from layfigure.plugins.discovery import plugin_file
 from layfigure.plugins.records import Command
@@ -24,7 +24,7 @@ from layfigure.session.keymap import spoken
 from layfigure.session.matching import Entry
 from layfigure.session.modes import HelpMode, PaletteMode, help_page
 from layfigure.session.moments import key_frames, known_curves
-from layfigure.session.words import join_line, no_more, one_of, required, whole_number
+from layfigure.session.words import WordError, join_line, no_more, one_of, required, whole_number
 
 if TYPE_CHECKING:
     from layfigure.session.session import Session
@@ -132,7 +132,8 @@ def openable(session: Session) -> Iterator[Entry]:
     folder = session.options.folder
     for suffix, what in ((".pose", "a pose in this folder"), (SUFFIX, "a motion in this folder")):
         yield from (Entry(path.name, what) for path in sorted(folder.glob(f"*{suffix}"))[:200])
-    yield from (Entry(name, "a motion that comes with Layfigure") for name in motion_names())
+    for path in motion_files():
+        yield Entry(path.stem, f"{written(shipped_length(path))} frames, comes with Layfigure")
 
 
 def _cancel(session: Session, words: tuple[str, ...]) -> None:
@@ -159,7 +160,8 @@ def _accept(session: Session, words: tuple[str, ...]) -> None:
         session.modes.pop()
         session.execute(mode.line())
     except LayfigureError as error:
-        session.modes.append(replace(mode, message=str(error)))
+        wanting = isinstance(error, WordError) and error.index == len(mode.line().split())
+        session.modes.append(replace(mode.awaiting() if wanting else mode, message=str(error)))
 
 
 def _complete(session: Session, words: tuple[str, ...]) -> None:

@@ -13,8 +13,10 @@ from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.keys import PLACE
 from layfigure.motions.numbers import rational, written
 from layfigure.plugins.records import Command
+from layfigure.poses.pose import Pose
 from layfigure.session.commands.arguments import limbs as named_limbs
 from layfigure.session.commands.files import BREATH, STEP, VARIANTS, breathing, looped_motion
+from layfigure.session.commands.naming import CLOSED, KEYS, NEW, OPENED, forget_motion
 from layfigure.session.commands.playing import frame_number
 from layfigure.session.describing import listed_limbs
 from layfigure.session.document import Document
@@ -39,6 +41,8 @@ def _key(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     frame, chosen = _meant(session, words, 0)
     document = session.document
     joints = joints_of(document.figure, chosen) if chosen else all_joints(document.figure)
+    if document.motion is None:
+        forget_motion(session)
     motion = document.motion or Motion.silence(max(Fraction(LENGTH), frame))
     values = values_in(document.figure, document.pose, joints)
     edited = with_keys(motion, frame, values)
@@ -131,7 +135,8 @@ def _keys_from(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     if not poses:
         raise ImpossibleError("there are no candidates to make keys of; keys-from-candidates breath needs none")
     motion, report = looped_motion(session.document, poses, step).clamped(session.document.figure)
-    _change(session, f"keys from {source}", motion, Fraction(0))
+    _change(session, f"{KEYS} {source}", motion, Fraction(0))
+    forget_motion(session)
     limits = f", {report}" if report else ""
     session.say(f"{len(poses)} poses are keys of a loop of {written(motion.duration)} frames{limits}.")
     return (source, str(step))
@@ -148,7 +153,8 @@ def _new(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
     document = session.document
     values = values_in(document.figure, document.pose, all_joints(document.figure))
     motion = with_keys(Motion.silence(length), Fraction(0), values)
-    session.commit("new motion", replace(document, motion=motion, playhead=Fraction(0)))
+    session.commit(NEW, replace(document, motion=motion, playhead=Fraction(0)))
+    forget_motion(session)
     session.say(f"A motion of {written(length)} frames begins with this pose; go to another frame and set a key.")
     return (written(length),)
 
@@ -156,7 +162,8 @@ def _new(session: Session, words: tuple[str, ...]) -> tuple[str, ...]:
 def _close(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     motion_of(session.document)
-    session.commit("close the motion", replace(session.document, motion=None, playhead=Fraction(0)))
+    session.commit(CLOSED, replace(session.document, motion=None, playhead=Fraction(0)))
+    forget_motion(session)
     session.say("The motion is closed; the pose stays.")
 
 
@@ -230,8 +237,11 @@ def _motion(session: Session, words: tuple[str, ...]) -> None:
         found = unpack_motion(parts)
     except LayfigureError as error:
         raise WordError(2, str(error)) from None
+    rest = Pose.rest(session.document.figure)  # of joints that the motion does not name, whatever stood there before
     document = replace(session.document, motion=found.motion, rate=found.rate, playhead=Fraction(0))
-    _show(session, "open a motion", document)
+    (pose,) = poses_at(replace(document, pose=rest), [Fraction(0)], known_curves(session.host))
+    session.commit(OPENED, session.workshop.set_pose(document, PoseSet(pose)))
+    forget_motion(session)
     unknown = [joint for joint in found.motion.tracks if joint != PLACE and joint not in _known(session)]
     note = f"; the figure does not have {', '.join(unknown[:4])}{', …' if len(unknown) > 4 else ''}" if unknown else ""
     session.say(f"A motion of {written(found.motion.duration)} frames{note}.")

@@ -14,6 +14,7 @@ from layfigure.poses.packing import pack_pose
 from layfigure.poses.pose import Pose
 from layfigure.poses.symmetry import flipped
 from layfigure.session.commands.arguments import column_of, one_limb, packed_pose, selected
+from layfigure.session.commands.naming import forget_undone
 from layfigure.session.describing import spoken_limb
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
@@ -104,6 +105,7 @@ def _undo(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     change = session.history.undo()
     session.restore(change.before)
+    forget_undone(session, change)
     session.say(f"Undone: {change.title}.")
 
 
@@ -111,6 +113,7 @@ def _redo(session: Session, words: tuple[str, ...]) -> None:
     no_more(words, 0)
     change = session.history.redo()
     session.restore(change.after)
+    forget_undone(session, change)
     session.say(f"Done again: {change.title}.")
 
 
