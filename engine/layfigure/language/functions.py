@@ -81,10 +81,10 @@ class Arguments:
         assert isinstance(value, Model)
         return value
 
-    def shape(self, index: int) -> Shape:
-        """Return an argument that must be a graphical object."""
-        value = self._of(index, Shape, values.KINDS["graphical"])
-        assert isinstance(value, Shape)
+    def shape_or_model(self, index: int) -> Shape | Model:
+        """Return an argument that must be a graphical object or a model."""
+        value = self._of(index, (Shape, Model), f"{values.KINDS['graphical']} or {values.KINDS['model']}")
+        assert isinstance(value, Shape | Model)
         return value
 
     def pose(self, index: int) -> PoseOf:
@@ -98,7 +98,7 @@ class Arguments:
         self.meter.keys(motion.key_count, self.place)
         return motion
 
-    def _of(self, index: int, kind: type, word: str) -> object:
+    def _of(self, index: int, kind: type | tuple[type, ...], word: str) -> object:
         value = self.value(index)
         if isinstance(value, kind):
             return value

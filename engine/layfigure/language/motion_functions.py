@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from layfigure.language.arithmetic import rounded
 from layfigure.language.functions import Arguments, Function
 from layfigure.language.values import plain
-from layfigure.models import LinkOf, Shape
+from layfigure.models import LinkOf, Model, Shape
 from layfigure.motions.building import from_poses
 from layfigure.motions.keys import PLACE, ROOT_JOINT
 from layfigure.motions.mirroring import mask, mirror
@@ -146,10 +146,12 @@ def _link(a: Arguments) -> LinkOf:
     return a.model(0).link(a.word(1))
 
 
-def _coloured(a: Arguments) -> Shape:
-    shape = a.shape(0).coloured(a.word(1))
-    a.meter.count("volumes", len(shape.volumes), a.place)
-    return shape
+def _coloured(a: Arguments) -> Shape | Model:
+    """coloured(object, colour): a graphical object in one colour, or a model of which every link is."""
+    painted = a.shape_or_model(0).coloured(a.word(1))
+    shapes = [link.shape for link in painted.links] if isinstance(painted, Model) else [painted]
+    a.meter.count("volumes", sum(len(shape.volumes) for shape in shapes), a.place)
+    return painted
 
 
 def _fit(a: Arguments) -> Motion:

@@ -186,6 +186,16 @@ class Model:
         nodes = (replace(node, joint=node.joint.stretched(factor)) for node in self.nodes)
         return replace(self, nodes=tuple(nodes))
 
+    def coloured(self, colour: str) -> Model:
+        """Return a copy with every volume of every link in one colour: a palette's word or ``#rrggbb``.
+
+        Raises:
+            LayfigureError: there is no such colour.
+        """
+        painted = (replace(node.link, shape=node.link.shape.coloured(colour)) for node in self.nodes)
+        nodes = tuple(replace(node, link=link) for node, link in zip(self.nodes, painted, strict=True))
+        return replace(self, nodes=nodes, source=None)
+
     @cached_property
     def _assembled(self) -> Assembled:
         return assembled(self.title, self.nodes)

@@ -41,7 +41,8 @@ class Filming:
 
     ``view`` is one of :data:`DIRECTIONS`, or ``sheet`` for front, right and top in one picture. ``fps`` pictures show a
     second, which is ``rate`` frames of the motion. ``aspect`` is the width of pictures by their height. With ``floor``
-    the ground lies under the lowest point that is ever reached. With ``follow`` the camera goes along with the root.
+    the ground lies under the lowest point that is ever reached. With ``follow`` the camera goes along with the root;
+    those of a sheet go along over the ground anyway, or its small views would show a long way and hardly a figure.
     With ``loop`` the end is left out, where a motion that goes round begins again. With ``in_place`` the root keeps
     over the ground where it begins, and moves up and down alone.
     """
@@ -123,8 +124,14 @@ def _run(who: Who, angles: Floats, translations: Floats, filming: Filming) -> _R
     if filming.in_place:
         translations = np.where(_OVER_GROUND, translations[:1], translations)
     angles.flags.writeable = translations.flags.writeable = False
-    along = translations if filming.follow else np.zeros_like(translations)
-    return _Run(figure_of(who), angles, translations, along)
+    return _Run(figure_of(who), angles, translations, _along(translations, filming))
+
+
+def _along(translations: Floats, filming: Filming) -> Floats:
+    """Return where cameras are taken, (f, 3), by a root that goes through ``translations`` (f, 3)."""
+    if filming.follow:
+        return translations
+    return np.where(_OVER_GROUND & (filming.view == "sheet"), translations, 0.0)
 
 
 def _actors(run: _Run) -> Iterator[Actor]:

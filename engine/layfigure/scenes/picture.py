@@ -44,7 +44,7 @@ class ScenePicture:
 
     ``floor`` is the height of the ground in world units; with None there is none, and neither grid nor shadow are
     drawn. Where there are ``sides``, cameras for further views, the picture is a sheet: the camera's view at the left,
-    the sides one under the other in the right third.
+    the sides one under the other in the right third, all of them without the ground.
     """
 
     actors: tuple[Actor, ...]

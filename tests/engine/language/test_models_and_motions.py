@@ -47,6 +47,26 @@ def test_symbol_tables_are_printed_with_a_dollar(printed):
     assert "-90..90" in shown and "velocity" in shown
 
 
+def test_a_model_can_be_painted_in_one_colour_and_moves_as_before(run):
+    (scene,) = run(
+        'load "humanoid"; load "wave"\nother = coloured(humanoid, blue)\n'
+        "INITIALIZE SCENE 1\nSTARTSCENE LENGTH 20\nANIMATE humanoid USING wave\nANIMATE other USING wave\n"
+        "ENDSCENE\nSHOOTSCENES"
+    ).scenes
+    plain, painted = scene.pictures[19].actors
+    assert painted.figure.colours == ("blue",) and len(plain.figure.colours) > 1
+    assert painted.figure.names == plain.figure.names
+    assert (painted.angles == plain.angles).all() and painted.angles.any()
+
+
+@pytest.mark.parametrize(
+    ("call", "says"), [("coloured(12, red)", "must be a graphical object or a model"), ("coloured(a, rde)", "rde")]
+)
+def test_only_what_can_be_seen_is_painted_in_a_colour_that_there_is(run, call, says):
+    with pytest.raises(SourceError, match=says):
+        run(f"{BOXES}m = {call}")
+
+
 def test_model_transformations_add_up_and_multiply(printed):
     twice = f"{BOXES}m :- {JOINT}\nm :- m <TRANS JOINTS BY 2, SCALE EXTREMES 0.5> <TRANS JOINTS 3>\nPRINT m"
     assert "6 " in printed(twice)[0] and "z -45..45" in printed(twice)[0]

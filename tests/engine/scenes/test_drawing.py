@@ -151,7 +151,8 @@ def test_a_sheet_shows_the_sides_in_its_right_third(host):
     single = drawer(host, (200, 200)).draw(ScenePicture((box(),), FRONT))
     np.testing.assert_array_equal(sheet[:, :200], single)
     for part, camera in zip((sheet[:100, 200:], sheet[100:, 200:]), cameras, strict=True):
-        np.testing.assert_array_equal(part, drawer(host, (100, 100)).draw(ScenePicture((box(),), camera)))
+        whole = drawer(host, (100, 100)).draw(ScenePicture((box(),), camera))
+        np.testing.assert_array_equal(part[1:, 1:], whole[1:, 1:], "beside the line that parts them")
 
 
 def test_what_was_drawn_before_leaves_no_trace(host):

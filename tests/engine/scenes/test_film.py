@@ -52,10 +52,36 @@ def test_the_whole_motion_is_in_sight_and_fills_the_picture(host, view, size):
 def test_a_sheet_holds_the_whole_motion_in_each_of_its_views(host):
     film = film_of_motion(HUMANOID, JUMP, Filming("sheet", aspect=1.5))
     seen = shadowless(host, film, (300, 200)).any(axis=0)
-    for view in (seen[:, :200], seen[:100, 200:], seen[100:, 200:]):
+    for view in _sheet_views(seen):
         rows, columns = np.nonzero(view)
         assert rows.min() > 0 and rows.max() < view.shape[0] - 1
         assert columns.min() > 0 and columns.max() < view.shape[1] - 1
+
+
+def _sheet_views(sheet: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return the views of a sheet of 300x200, or of many, (..., h, w), without the lines between them."""
+    return sheet[..., :200], sheet[..., 1:100, 201:], sheet[..., 101:, 201:]
+
+
+def test_every_view_of_a_sheet_goes_along_with_the_figure_so_that_it_is_large(host):
+    far = Motion.of({"place": [(0, (0, 0, 0)), (12, (300, 0, 4000))]})
+    seen = shadowless(host, film_of_motion(HUMANOID, far, Filming("sheet", aspect=1.5)), (300, 200))
+    for view in _sheet_views(seen):
+        rows, columns = np.nonzero(view[-1])
+        height, width = view.shape[1:]
+        assert max(np.ptp(rows) / height, np.ptp(columns) / width) > 0.7
+        assert abs(columns.min() + columns.max() - width) < 0.2 * width, "it stands in the middle"
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_the_views_of_a_sheet_lie_on_one_background_and_thin_lines_part_them(host, theme):
+    film = film_of_motion(HUMANOID, JUMP, Filming("sheet", aspect=1.5))
+    pixels = PictureDrawer(host, Studio((300, 200), theme=theme)).draw(film.pictures[0])
+    background = {int(pixel) for view in _sheet_views(pixels) for pixel in (*view[0], *view[-1])}
+    (line,) = {*pixels[:, 200].tolist(), *pixels[100, 200:].tolist()}
+    assert len(background) == 1 and line not in background
+    assert not (pixels[:, :200] == line).any(), "nor is there a line at the left or the top of the picture"
+    assert (pixels[0, 201:] != line).all()
 
 
 def test_the_camera_and_the_floor_stay_while_the_figure_jumps():
