@@ -64,7 +64,7 @@ def test_the_code_on_a_page_runs_from_top_to_bottom(page, monkeypatch):
 def test_the_readme_names_the_commands_that_ci_runs():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     ci = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
-    command = ".venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest -q"
+    command = ".venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest -q -n auto"
     assert command in readme and command in ci
 
 
