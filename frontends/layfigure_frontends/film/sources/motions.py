@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from layfigure.figures.figure import Figure
     from layfigure.motions.motion import Motion
+    from layfigure.motions.motion_file import MotionFile
     from layfigure.motions.standard import Curves
     from layfigure.plugins.host import Host
     from layfigure_frontends.opening import PluginChoice
@@ -39,6 +40,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
     rate = asked.rate or _own_rate(file.rate, source)
+    _check_length(file, rate, source)
     filming = Filming(view, rate, file.rate, size.width / size.height, loop=_goes_round(file.motion, curves))
     usual = load_configuration(choice.config).figure
     figure = _figure(drawers.host, file.figure, source, asked.figure, usual)
@@ -69,6 +71,23 @@ def _own_rate(rate: Fraction, source: Path) -> Fraction:
         told = shortened(written(rate))
         raise FileError(f"{source}: its rate is {told}, but films show {RATES} pictures per second; ask with --fps")
     return shown
+
+
+def _check_length(file: MotionFile, rate: Fraction, source: Path) -> None:
+    """Find out whether a motion makes a film of bearable length; what the camera sees hangs on the whole of it.
+
+    Raises:
+        FileError: it does not.
+    """
+    from layfigure.errors import FileError
+    from layfigure.scenes.performing import MAXIMUM_IMAGES
+
+    count = file.motion.duration * rate // file.rate + 1
+    if count > MAXIMUM_IMAGES:
+        told = (
+            f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, even one of which --frames takes a part"
+        )
+        raise FileError(f"{source}: {told}; ask for fewer a second with --fps, or shorten the motion")
 
 
 def _figure(host: Host, own: str | None, source: Path, other: str | None, usual: str) -> Figure:
