@@ -1,6 +1,7 @@
 """``layfigure render`` as a shell sees it."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,14 +15,16 @@ import pytest
 from PIL import Image
 
 from layfigure import compiled, resources
+from layfigure.errors import FileError, LayfigureError
 from layfigure.figures.library import load_figure
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import save_motion
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose
 from layfigure.poses.pose_set import save_poses
-from layfigure_frontends.film.choice import FilmChoice
+from layfigure_frontends.film.choice import FilmChoice, read_part, read_rate, read_size
 from layfigure_frontends.film.opening import open_film
+from layfigure_frontends.film.production import produce
 from layfigure_frontends.opening import PluginChoice
 
 LIMITED = (
@@ -231,9 +234,14 @@ def test_a_full_disk_leaves_no_part_of_a_film(folder, render, output):
     assert sorted(folder.iterdir()) == before
 
 
+ENDINGS = [("long.gif", "SIGINT"), ("long.mp4", "SIGINT"), ("long/%04d.png", "SIGINT")]
+ENDINGS += [("long.gif", "SIGTERM"), ("long.mp4", "SIGHUP")]
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signals here")
-@pytest.mark.parametrize("output", ["long.gif", "long.mp4", "long/%04d.png"])
-def test_an_interruption_leaves_no_part_of_a_film(folder, places, output):
+@pytest.mark.parametrize(("output", "name"), ENDINGS)
+def test_an_interruption_leaves_no_part_of_a_film(folder, places, output, name):
+    number = getattr(signal, name)
     slow = Motion.of({"leftupperarm": [(0, (0, 0, 0)), (20000, (60, 0, 0))]})
     save_motion(folder / "slow.motion", slow, load_figure("humanoid"))
     command = [sys.executable, "-m", "layfigure_frontends", "render", "slow.motion", "-o", output, *STICK]
@@ -241,14 +249,65 @@ def test_an_interruption_leaves_no_part_of_a_film(folder, places, output):
     deadline = time.monotonic() + 60
     while not [*folder.rglob("*.part"), *folder.rglob("00*.png")] and time.monotonic() < deadline:
         time.sleep(0.02)
-    running.send_signal(signal.SIGINT)
+    running.send_signal(number)
     _, errors = running.communicate(timeout=60)
     # Python ends by the signal itself, which shells show as 130 too, if it came while a dataclass was being made
-    assert (running.returncode, errors.strip()) in {(130, b""), (-signal.SIGINT, b"")}
+    assert (running.returncode, errors.strip()) in {(128 + number, b""), (-signal.SIGINT, b"")}
     assert not [*folder.rglob("*.part"), *folder.rglob("long.*")]
     for path in folder.rglob("long/*.png"):
         with Image.open(path) as image:
             image.load()
+
+
+def with_rate(folder, rate):
+    path = folder / "wave.motion"
+    path.write_text(re.sub(r"(?m)^rate .*$", f"rate {rate}", path.read_text()))
+    return path
+
+
+@pytest.mark.parametrize("rate", ["1e-3", "1e-30", "1e30", "1001/1000000007", "1000.01"])
+@pytest.mark.parametrize("name", ["a.gif", "a.mp4", None])
+def test_a_motion_whose_own_rate_no_film_can_have_is_refused_by_name(folder, rate, name):
+    path, output = with_rate(folder, rate), Path(name) if name else None
+    with pytest.raises(FileError, match=r"wave\.motion: its rate is .*, but films show 0\.01 to 1000 pictures"):
+        open_film(path, output, FilmChoice(renderer="stick", size=(64, 48)), PluginChoice(safe=True))
+
+
+@pytest.mark.parametrize("part", [(0, 3), None])
+@pytest.mark.parametrize("last", [1_000_001, 9_999_999])
+def test_a_motion_too_long_for_a_film_is_refused_by_name_whatever_part_is_asked_for(folder, part, last):
+    path = folder / "long.motion"
+    save_motion(path, Motion.of({"leftupperarm": [(0, (0, 0, 0)), (last, (60, 0, 0))]}))
+    asked = FilmChoice(renderer="stick", size=(64, 48), part=part)
+    with pytest.raises(FileError, match=r"long\.motion: makes \d{7} pictures.*fewer a second"):
+        open_film(path, None, asked, PluginChoice(safe=True))
+
+
+@pytest.mark.parametrize("name", ["a.gif", "a.apng", "a.webp", "a.mp4"])
+@pytest.mark.parametrize(
+    ("rate", "shown"),
+    [("0.01", Fraction(1, 100)), ("1000", 1000), ("24.000000000123", 24), ("23.976", Fraction(2997, 125))],
+)
+def test_every_format_holds_rates_at_the_bounds_and_crooked_ones(folder, name, rate, shown):
+    asked = FilmChoice(renderer="stick", size=(64, 48), part=(0, 3))
+    film = open_film(with_rate(folder, rate), folder / name, asked, PluginChoice(safe=True))
+    assert film.rate == shown
+    (path,) = produce(film, folder / name).paths
+    assert path.stat().st_size
+
+
+@pytest.mark.parametrize("text", ["1e99999999999", "1e-99999999999", "9" * 500, "1/" + "3" * 500])
+def test_a_rate_beyond_all_use_is_refused_at_once_and_briefly(text):
+    with pytest.raises(LayfigureError, match=r"--fps is") as told:
+        read_rate(text)
+    assert len(str(told.value)) < 160
+
+
+@pytest.mark.parametrize("read", [read_size, read_part])
+def test_what_is_wrong_is_repeated_briefly(read):
+    with pytest.raises(LayfigureError) as told:
+        read("x" * 10_000)
+    assert len(str(told.value)) < 200
 
 
 def test_rates_of_television_are_exact(folder, render):

@@ -6,17 +6,21 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from fractions import Fraction
-from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from layfigure.files.digests import joined
+from layfigure.files.reading import digest_of
 from layfigure_frontends.film.cache.store import Store
 from layfigure_frontends.film.reel import Film, Reel, Size
 
 if TYPE_CHECKING:
+    from layfigure.files.reading import Read
     from layfigure_frontends.film.reel import Pixels
 
 _LARGEST = 1 << 20
+_DIGEST = 16  # bytes before an entry that tell whether it is whole
+_DAMAGED = (ValueError, TypeError, KeyError, AttributeError, ArithmeticError, RecursionError)
 
 
 @dataclass(frozen=True)
@@ -43,12 +47,12 @@ class Recipe:
         return Film(reels, Size(*self.size), Fraction(self.rate), self.first, warnings=self.warnings)
 
 
-def recipe_of(film: Film, key: str, reads: Iterable[Path]) -> Recipe | None:
-    """Return the recipe of a finished film, or None if a file that was read for it cannot be read again."""
-    digests = {str(path.absolute()): _digest(path) for path in reads}
-    known = {path: digest for path, digest in digests.items() if digest is not None}
-    if len(known) < len(digests):
-        return None
+def recipe_of(film: Film, key: str, reads: Iterable[Read]) -> Recipe | None:
+    """Return the recipe of a finished film, or None if a file could not be read for it or changed between two reads."""
+    known: dict[str, str] = {}
+    for path, digest in reads:
+        if digest is None or known.setdefault(str(path.absolute()), digest) != digest:
+            return None
     size = (film.size.width, film.size.height)
     return Recipe(key, known, len(film), film.first, size, str(film.rate), film.warnings)
 
@@ -67,10 +71,9 @@ class Recipes:
         with stream:
             raw = stream.read(_LARGEST)
         try:
-            fields = json.loads(raw)
-            recipe = Recipe(**{**fields, "size": tuple(fields["size"]), "warnings": tuple(fields["warnings"])})
+            recipe = _recipe(raw)
             unchanged = all(_digest(Path(path)) == digest for path, digest in recipe.reads.items())
-        except (ValueError, TypeError, KeyError, AttributeError):
+        except _DAMAGED:
             self.store.forget(key)
             return None
         return recipe if unchanged else None
@@ -78,7 +81,25 @@ class Recipes:
     def keep(self, key: str, recipe: Recipe) -> None:
         """Keep a recipe."""
         with self.store.recording(key) as recording:
-            recording.add(json.dumps(asdict(recipe)).encode())
+            raw = json.dumps(asdict(recipe)).encode()
+            recording.add(joined([raw], _DIGEST) + raw)
+
+
+def _recipe(raw: bytes) -> Recipe:
+    """Return the recipe that an entry holds.
+
+    Raises:
+        Any of _DAMAGED: it is not what was put there, or says what no film can be.
+    """
+    digest, told = raw[:_DIGEST], raw[_DIGEST:]
+    if joined([told], _DIGEST) != digest:
+        raise ValueError("the entry is damaged")
+    fields = json.loads(told)
+    recipe = Recipe(**{**fields, "size": tuple(fields["size"]), "warnings": tuple(fields["warnings"])})
+    if not isinstance(recipe.film, str):
+        raise TypeError("the entry names no film")
+    recipe.blank()
+    return recipe
 
 
 @dataclass(frozen=True)
@@ -101,6 +122,6 @@ class _Blank:
 
 def _digest(path: Path) -> str | None:
     try:
-        return blake2b(path.read_bytes(), digest_size=16).hexdigest()
+        return digest_of(path.read_bytes())
     except OSError:
         return None
