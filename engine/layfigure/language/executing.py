@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from layfigure.errors import visible
 from layfigure.language import syntax, values
 from layfigure.language.drafts import Draft, DraftKey, exact
 from layfigure.language.evaluating import Evaluator, blamed
@@ -80,7 +81,7 @@ class Executor:
     def _print(self, node: syntax.Print) -> None:
         pieces = [self._symbols(item) if isinstance(item, syntax.Symbols) else self._shown(item) for item in node.items]
         joint = "\n" if any("\n" in piece for piece in pieces) else " "
-        self.run.printed.append(self.run.meter.printed(joint.join(pieces), node.place))
+        self.run.printed.append(self.run.meter.printed(visible(joint.join(pieces)), node.place))
 
     def _shown(self, node: syntax.Expression) -> str:
         value = self.evaluator.value(node)
