@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+
+_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+
+def visible(text: str) -> str:
+    """Return a stranger's text with what would command a terminal, or turn its lines round, written as an escape."""
+    return _UNSEEN.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
 
 
 class LayfigureError(Exception):
-    """Anything a user can cause; front ends print it as one sentence and exit with status 2."""
+    """Anything a user can cause; front ends print it as one sentence and exit with status 2.
+
+    ``printed`` are the lines that a script had printed before it.
+    """
+
+    printed: tuple[str, ...] = ()
 
 
 class SourceError(LayfigureError):
@@ -16,6 +29,7 @@ class SourceError(LayfigureError):
     """
 
     def __init__(self, source: str | Path, line: int, column: int, message: str) -> None:
+        message = visible(message)
         super().__init__(f"{source}:{line}:{column}: {message}")
         self.source = str(source)
         self.line = line

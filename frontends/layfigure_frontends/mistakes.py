@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from layfigure.errors import LayfigureError, LimitError
+from layfigure.errors import LayfigureError, LimitError, visible
 
 
 def told(error: LayfigureError) -> str:
     """Return the one sentence that a command ends in."""
-    sentence = " ".join(str(error).split())
+    sentence = visible(" ".join(str(error).split()))
     if not isinstance(error, LimitError):
         return sentence
     if error.limit == "outside":

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from layfigure.language.limits import Meter
 from layfigure.language.places import Place
-from layfigure.motions.keys import Key
+from layfigure.motions.keys import Key, misplaced
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import rational, written
 
@@ -78,13 +78,13 @@ def check_ascending(joint: str, row: list[DraftKey]) -> None:
     Raises:
         SourceError: at the first key that does not come after the one before.
     """
-    before = Fraction(-1)
+    before: Fraction | None = None
     for number, (place, key) in enumerate((key.place, key.key) for key in row):
         if key.time < 0:
             raise place.error(f"frame {written(key.time)} comes before frame 0, where motions begin")
-        if key.time <= before:
-            frames = f"frame {written(key.time)} follows frame {written(before)}"
-            raise place.error(f"joint {joint}: {frames} in key {number}; frames must ascend")
+        wrong = misplaced(before, key.time) if before is not None else ""
+        if wrong:
+            raise place.error(f"joint {joint}, key {number}: {wrong}")
         before = key.time
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from layfigure.errors import visible
 from layfigure.language import syntax, values
 from layfigure.language.drafts import Draft, DraftKey, exact
 from layfigure.language.evaluating import Evaluator, blamed
@@ -16,8 +17,10 @@ from layfigure.language.printing import shown, symbols
 from layfigure.language.run import Defined, Run
 from layfigure.language.scope import Scope
 from layfigure.models import Model
+from layfigure.models.numbers import checked_number
 from layfigure.motions.keys import DEFAULT, Key
 from layfigure.motions.motion import Motion
+from layfigure.motions.size import check_value
 from layfigure.motions.standard import interpolation
 
 if TYPE_CHECKING:
@@ -78,7 +81,7 @@ class Executor:
     def _print(self, node: syntax.Print) -> None:
         pieces = [self._symbols(item) if isinstance(item, syntax.Symbols) else self._shown(item) for item in node.items]
         joint = "\n" if any("\n" in piece for piece in pieces) else " "
-        self.run.printed.append(self.run.meter.printed(joint.join(pieces), node.place))
+        self.run.printed.append(self.run.meter.printed(visible(joint.join(pieces)), node.place))
 
     def _shown(self, node: syntax.Expression) -> str:
         value = self.evaluator.value(node)
@@ -200,7 +203,10 @@ class Executor:
         else:
             raise nodes[0].place.error(f"POSITION takes x, y, z or a vector, but has {len(nodes)} values")
         with blamed(nodes[0].place):
-            return tuple(exact(value) for value in found)
+            position = tuple(exact(value) for value in found)
+            for value in position:
+                check_value(value, "each number of POSITION")
+            return position
 
     # -- scenes ------------------------------------------------------------------------------------------------------
 
@@ -224,7 +230,9 @@ class Executor:
 
     def _floor(self, node: syntax.Floor) -> None:
         assert self.stage is not None
-        self.stage.floor = float(self.evaluator.number(node.height, "FLOOR"))
+        height = self.evaluator.number(node.height, "FLOOR")
+        with blamed(node.height.place):
+            self.stage.floor = checked_number(height, "FLOOR")
 
     def _background(self, node: syntax.Background) -> None:
         assert self.stage is not None

@@ -15,6 +15,7 @@ from layfigure.language.places import Place
 from layfigure.language.run import Run
 from layfigure.language.syntax import names_in
 from layfigure.models import Link, Model, Shape
+from layfigure.models.numbers import checked_number
 from layfigure.motions.motion import Motion
 from layfigure.scenes.animating import Animate
 from layfigure.scenes.performing import Performer, standing
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float, float]
+_NARROWEST = 1e-6
 _WORK = 20  # steps that somebody in an image stands for
 
 
@@ -66,11 +68,11 @@ class Stage:
         what = f"VIEW {node.what.upper()}"
         with blamed(node.value.place):
             if node.what == "width":
-                self.width = float(evaluator.number(node.value, what))
-                if self.width <= 0:
-                    raise node.value.place.error(f"{what} must be more than 0")
+                self.width = checked_number(evaluator.number(node.value, what), what)
+                if self.width < _NARROWEST:
+                    raise node.value.place.error(f"{what} must be more than 0, at least {_NARROWEST:f}")
                 return
-            x, y, z = (float(item) for item in evaluator.vector(node.value, 3, what))
+            x, y, z = (checked_number(item, what) for item in evaluator.vector(node.value, 3, what))
         if node.what == "point":
             self.point = (x, y, z)
         else:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from layfigure.motions.compiling import compiled
 from layfigure.motions.keys import PLACE, Key, Span
 from layfigure.motions.motion import Motion
-from layfigure.motions.size import check_size
+from layfigure.motions.size import NEAREST, check_size
 from layfigure.motions.standard import Curves
 from layfigure.motions.travel import travel
 
@@ -64,7 +64,8 @@ def _span(begin: Fraction, end: Fraction, evaluate: Evaluate) -> Span:
     if times[-1] != end:
         if end - times[-1] < Fraction(1, 4) and whole:  # a last key so near would make a kink
             times.pop()
-        times.append(end)
+        if end - times[-1] >= NEAREST:
+            times.append(end)
     values = evaluate([(time, time == end) for time in times])
     return Span(begin, end, tuple(Key(time, exact(row)) for time, row in zip(times, values, strict=True)))
 

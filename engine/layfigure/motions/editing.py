@@ -13,6 +13,7 @@ from layfigure.motions.joints import joint_limbs, joints_of
 from layfigure.motions.keys import DEFAULT, PLACE, Key, Span, Values, interpolation_id
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import written
+from layfigure.motions.size import NEAREST
 from layfigure.poses.pose import Pose
 
 
@@ -33,9 +34,9 @@ def values_in(figure: Figure, pose: Pose, joints: Iterable[str]) -> dict[str, Va
 def with_keys(motion: Motion, frame: Fraction, values: Mapping[str, Values]) -> Motion:
     """Return the motion with keys of some joints at a frame; it lasts longer where the frame lies beyond its end.
 
-    A key that stood there keeps the way that leads to it; a new one takes that of the way it divides. A joint that was
-    not named stands from the beginning to the end as in its key. Keys of joints that end before a motion's end join
-    their last stretch.
+    A key that stood there, or too near for another, keeps the way that leads to it; a new one takes that of the way it
+    divides. A joint that was not named stands from the beginning to the end as in its key. Keys of joints that end
+    before a motion's end join their last stretch.
 
     Raises:
         LayfigureError: the motion would grow too large.
@@ -75,6 +76,10 @@ def _place(spans: tuple[Span, ...], time: Fraction, duration: Fraction) -> int |
 
 
 def _merged(keys: tuple[Key, ...], key: Key) -> tuple[Key, ...]:
+    """Return keys with another, which takes the place of one that no key can be so near to."""
+    nearest = min(keys, key=lambda other: abs(other.time - key.time))
+    if abs(nearest.time - key.time) < NEAREST:
+        key = key._replace(time=nearest.time)
     earlier = [other for other in keys if other.time < key.time]
     later = [other for other in keys if other.time >= key.time]
     how = later[0].how if later and earlier else DEFAULT

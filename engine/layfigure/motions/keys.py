@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from layfigure.errors import LayfigureError
 from layfigure.figures.joint_names import joint_name
 from layfigure.motions.numbers import bounded, written
+from layfigure.motions.size import NEAREST, check_value, within
 
 Values = tuple[Fraction, Fraction, Fraction]
 DEFAULT = "cubic"
@@ -82,11 +83,13 @@ class Span:
             raise LayfigureError(f'joint "{joint}" begins before frame 0; times count from 0')
         before = None
         for key in self.keys:
-            if before is not None and key.time <= before:
-                raise LayfigureError(
-                    f'joint "{joint}": frame {written(key.time)} follows frame {written(before)}; frames must ascend'
-                )
+            wrong = before is not None and misplaced(before, key.time)
+            if wrong:
+                raise LayfigureError(f'joint "{joint}": {wrong}')
             before = key.time
+            if not all(map(within, key.values)):
+                for value in key.values:
+                    check_value(value, f'joint "{joint}", frame {written(key.time)}: a number')
         if self.keys[0].time < self.begin or self.keys[-1].time > self.end:
             raise LayfigureError(
                 f'joint "{joint}" has a key outside {written(self.begin)} to {written(self.end)}; move it or the end'
@@ -116,6 +119,15 @@ class Span:
 
 
 Tracks = Mapping[str, tuple[Span, ...]]
+
+
+def misplaced(before: Fraction, time: Fraction) -> str:
+    """Return what is wrong with the time (frames) of a key after another's, "" where nothing is."""
+    if time <= before:
+        return f"frame {written(time)} follows frame {written(before)}; frames must ascend"
+    if time - before < NEAREST:
+        return f"frame {written(time)} is too near frame {written(before)}; keys lie 0.000001 frames apart at least"
+    return ""
 
 
 def joint_id(joint: object) -> str:

@@ -25,10 +25,10 @@ from typing import NoReturn
 
 from layfigure.errors import LayfigureError, SourceError
 from layfigure.files.words import Word, WordReader
-from layfigure.motions.keys import DEFAULT, Key, Mark, Span, interpolation_id, joint_id
+from layfigure.motions.keys import DEFAULT, Key, Mark, Span, interpolation_id, joint_id, misplaced
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import rational, written
-from layfigure.motions.size import MAXIMUM_KEYS
+from layfigure.motions.size import MAXIMUM_KEYS, check_rate, check_value
 
 _REPR = re.compile(r"""\s*Motion\.parse\((['"])(.*)\1\)\s*""", re.DOTALL)
 _STATEMENTS = ("duration", "mark", "joint", "span")
@@ -108,7 +108,7 @@ class MotionReader:
             if word.folded == "figure" or not needed:
                 self.words.skip_line()
             else:
-                self.rate = self._positive("the frames a second")
+                self.rate = self._rate()
                 self.end_of_line()
             word = self.next_line()
         if word is not None:
@@ -205,10 +205,11 @@ class MotionReader:
         if not self._open.spans:
             self._open.spans.append((Fraction(0), None, []))
         time = self._time("the frame")
-        values = self._number("x or flexion"), self._number("y or pivot"), self._number("z or twist")
+        values = self._value("x or flexion"), self._value("y or pivot"), self._value("z or twist")
         keys = self._open.spans[-1][2]
-        if keys and time <= keys[-1].time:
-            self.words.fail(word, f"frame {word} follows frame {written(keys[-1].time)}; frames must ascend")
+        wrong = misplaced(keys[-1].time, time) if keys else ""
+        if wrong:
+            self.words.fail(word, wrong)
         keys.append(Key(time, values, self._how() if not self.words.peek().ends else DEFAULT))
         self.end_of_line()
 
@@ -229,11 +230,22 @@ class MotionReader:
             self.words.fail(word, f"{what} is {word}, but times count from 0")
         return value
 
-    def _positive(self, what: str) -> Fraction:
+    def _rate(self) -> Fraction:
+        word = self.words.peek()
+        value = self._number("the frames a second")
+        try:
+            check_rate(value)
+        except LayfigureError as error:
+            self.words.fail(word, str(error))
+        return value
+
+    def _value(self, what: str) -> Fraction:
         word = self.words.peek()
         value = self._number(what)
-        if value <= 0:
-            self.words.fail(word, f"{what} is {word}, but must be over 0")
+        try:
+            check_value(value, what)
+        except LayfigureError as error:
+            self.words.fail(word, str(error))
         return value
 
     def _number(self, what: str) -> Fraction:

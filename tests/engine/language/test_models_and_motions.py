@@ -199,3 +199,14 @@ def test_what_is_wrong_with_a_motion_is_told(run, text, says):
 
 def test_a_loop_that_sets_keys_takes_steps_in_proportion(run):
     run("FOR i = 1 TO 2000\nm[1, i] = FRAME i POSITION i, 0, 0\nENDFOR\nPRINT duration(m)")
+
+
+def test_keys_too_near_each_other_are_refused_where_the_script_sets_them(run):
+    text = "m[5, 0] = FRAME 0 POSITION 0, 0, 0\nm[5, 1] = FRAME 12 POSITION 0, 0, 9\n"
+    with pytest.raises(SourceError, match=r":3:1: joint 5, key 2: frame .* is too near frame 12; keys lie"):
+        run(text + "m[5, 2] = FRAME 12 + 1 / 10000000 POSITION 0, 0, 0\nPRINT m")
+
+
+def test_values_that_no_pose_can_have_are_refused_where_the_script_sets_them(run):
+    with pytest.raises(SourceError, match=r":1:\d+: each number of POSITION goes from -1000000 to 1000000"):
+        run("m[place, 0] = FRAME 0 POSITION 0, 1000001, 0\nPRINT m")

@@ -162,3 +162,13 @@ def test_any_number_of_brackets_is_read(printed, text):
 def test_nesting_is_bounded_and_told(run, text):
     with pytest.raises(SourceError, match="nested deeper than 100"):
         run(text)
+
+
+def test_what_a_script_prints_cannot_command_a_terminal(printed):
+    assert printed('PRINT "a\x1b[2J\x9bH\x7f\u202eé"') == [r"a\x1b[2J\x9bH\x7f\u202eé"]
+
+
+def test_mistakes_that_quote_a_script_cannot_command_a_terminal(run):
+    with pytest.raises(SourceError) as error:
+        run('LOAD "\x1b[2J"')
+    assert "\x1b" not in str(error.value) and r"\x1b[2J" in str(error.value)

@@ -112,3 +112,9 @@ def test_all_joints_of_a_figure_make_its_pose(session):
     figure, pose = session.document.figure, session.document.pose
     motion = with_keys(Motion.silence(10), Fraction(3), values_in(figure, pose, all_joints(figure)))
     assert sample(figure, motion, [0, 3, 10]).pose(2) == pose
+
+
+def test_a_key_too_near_another_takes_its_place():
+    motion = Motion.of({"5": [(0, (0, 0, 0)), (12, (0, 0, 90)), (24, (0, 0, 0))]})
+    near = with_keys(motion, 12 + Fraction(1, 10**20), {"5": (Fraction(1), Fraction(2), Fraction(3))})
+    assert near == with_keys(motion, Fraction(12), {"5": (Fraction(1), Fraction(2), Fraction(3))})

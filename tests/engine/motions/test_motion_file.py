@@ -149,3 +149,25 @@ def test_parse_reads_what_shows_a_motion_in_any_of_its_forms(text):
     assert Motion.parse(text) == Motion.silence(3)
     with pytest.raises(LayfigureError):
         Motion.parse(text + "; x")
+
+
+def test_keys_that_floats_could_not_tell_apart_are_refused_with_their_line():
+    text = "layfigure motion 1\njoint 5\n0 0 0 0\n12 90 0 0\n12.00000000000000000001 0 0 0\n"
+    assert sentence(text).startswith("m.motion:5:1: frame 1200000000000000000001/100000000000000000000 is too near")
+    with pytest.raises(LayfigureError, match="too near"):
+        Motion.of({"5": [(0, (0, 0, 0)), (1, (0, 0, 9))]}, 2).scale(frames="1e-7")
+
+
+@pytest.mark.parametrize("joint", ["spine", "place"])
+@pytest.mark.parametrize("number", ["1e35", "-1000001", "1000000.5"])
+def test_values_that_no_pose_can_have_are_refused_with_their_line(joint, number):
+    text = f"layfigure motion 1\njoint {joint}\n0 0 0 0\n12 0 {number} 0\n"
+    assert sentence(text).startswith("m.motion:4:6: y or pivot goes from -1000000 to 1000000;")
+    with pytest.raises(LayfigureError, match="goes from -1000000 to 1000000"):
+        Motion.of({joint: [(0, (0, 0, 1))]}).scale(extremes=number)
+
+
+@pytest.mark.parametrize("rate", ["1e-30", "0", "-24", "1000.5", "1e30"])
+def test_rates_are_bounded(rate):
+    text = f"layfigure motion 1\nrate {rate}\nduration 2\n"
+    assert sentence(text).startswith("m.motion:2:6: the frames a second must be over 0, from 0.01 to 1000")

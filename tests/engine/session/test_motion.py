@@ -185,3 +185,9 @@ def _help(session):
     sections = session.frame(SIZE).overlay.sections
     press(session, "escape")
     return sections
+
+
+@pytest.mark.parametrize("rate", ["1e-30", "1e30", "0", "1001"])
+def test_frames_a_second_are_bounded(moving, rate):
+    with pytest.raises(WordError, match=r"over 0|0\.01 to 1000"):
+        moving.execute(f"rate {rate}")

@@ -12,6 +12,7 @@ import numpy as np
 from layfigure.errors import ImpossibleError, LayfigureError
 from layfigure.motions.keys import PLACE
 from layfigure.motions.numbers import rational, written
+from layfigure.motions.size import check_rate
 from layfigure.plugins.records import Command
 from layfigure.poses.pose import Pose
 from layfigure.session.commands.arguments import limbs as named_limbs
@@ -194,8 +195,10 @@ def _stretch(session: Session, words: tuple[str, ...]) -> None:
 
 def _rate(session: Session, words: tuple[str, ...]) -> None:
     rate = _over_zero(words, "a number of frames a second")
-    if rate > 1000:
-        raise WordError(1, f"{words[0]} is out of bounds: up to 1000 frames a second")
+    try:
+        check_rate(rate)
+    except LayfigureError as error:
+        raise WordError(1, str(error)) from None
     motion_of(session.document)
     session.commit(f"{written(rate)} frames a second", replace(session.document, rate=rate))
     session.say(f"{written(rate)} frames are a second now.")
