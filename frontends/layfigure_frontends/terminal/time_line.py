@@ -9,7 +9,7 @@ KEY, OTHER, MARK, MARKED, HEAD = "◆", "◇", "▴", "◈", "│"  # MARKED: a 
 
 
 def paint_time_line(paper: Paper, line: TimeLine) -> None:
-    """Paint a time line; in a cell the first of these hides the others: playhead, mark, key, another's key, name, number."""
+    """Paint a time line; in a cell the first of these is seen: playhead, mark, key, another's key, name, number."""
     theme, box = paper.theme, line.track
     ground = Tone(theme.faint, theme.raised)
     paper.fill(line.rectangle, paper.tone())
