@@ -172,3 +172,11 @@ def test_a_motion_that_nothing_can_play_is_not_right(capfd, monkeypatch, tmp_pat
     status, _, err = layfigure(capfd, monkeypatch, "check", path)
     assert status == 2 and f'{path}:4:9: found "bounce"' in err
     assert layfigure(capfd, monkeypatch, "check", path, "--plugin", plugin)[0] == 0
+
+
+def test_what_was_printed_before_a_mistake_is_shown(capfd, monkeypatch, tmp_path):
+    path = tmp_path / "late.lay"
+    path.write_text('PRINT "first"\nPRINT "second"\nPRINT nothing\n', encoding="utf-8")
+    status, out, err = layfigure(capfd, monkeypatch, "run", "--safe", path)
+    assert (status, out.splitlines()) == (2, ["first", "second"])
+    assert "late.lay:3:7: " in err and len(err.splitlines()) == 1

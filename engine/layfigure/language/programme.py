@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from layfigure.errors import FileError
+from layfigure.errors import FileError, LayfigureError
 from layfigure.files.reading import MAXIMUM_BYTES, read_text
 from layfigure.files.writing import write_text
 from layfigure.language.executing import Executor, Stopped
@@ -64,7 +64,7 @@ def run_text(
     """Return what the text of a script comes to; ``path`` names it in messages, and its folder holds its files.
 
     Raises:
-        SourceError: as for :func:`run_script`.
+        SourceError: as for :func:`run_script`; ``printed`` is what the script had printed before.
     """
     meter = Meter(limits or Limits())
     run = Run(meter, path.parent, curves, aspect)
@@ -75,6 +75,9 @@ def run_text(
         Executor(run, Scope(), path.parent).block(block)
     except Stopped:
         pass
+    except LayfigureError as error:
+        error.printed = tuple(run.printed)
+        raise
     except RecursionError:  # the depth of trees and blocks is bounded; this is for who calls from a deep stack
         raise FileError(f"{path}: is nested too deeply; make the script flatter") from None
     for number, defined in run.waiting.items():

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from layfigure.errors import LayfigureError
 from layfigure.language.limits import Limits
 from layfigure_frontends.opening import PluginChoice, plugin_options
 from layfigure_frontends.script import limit_options, run
@@ -17,7 +18,12 @@ from layfigure_frontends.script import limit_options, run
 @plugin_options
 def command(source: Path, limits: Limits, choice: PluginChoice) -> int:
     """Run a script: show what it prints, write what it saves. layfigure render draws its scenes."""
-    programme = run(source, limits, choice)
+    try:
+        programme = run(source, limits, choice)
+    except LayfigureError as error:
+        for text in error.printed:
+            click.echo(text)
+        raise
     written = programme.write()  # first: what is saved shall not hang on whether anybody can read what is printed
     for text in programme.printed:
         click.echo(text)

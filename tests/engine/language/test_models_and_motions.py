@@ -210,3 +210,19 @@ def test_keys_too_near_each_other_are_refused_where_the_script_sets_them(run):
 def test_values_that_no_pose_can_have_are_refused_where_the_script_sets_them(run):
     with pytest.raises(SourceError, match=r":1:\d+: each number of POSITION goes from -1000000 to 1000000"):
         run("m[place, 0] = FRAME 0 POSITION 0, 1000001, 0\nPRINT m")
+
+
+def test_values_of_solids_may_have_signs(printed):
+    text = "r = -2\nPRINT SPHERE RADIUS -r\nPRINT BOX WIDTH +1, HEIGHT -(-2), DEPTH -(-3), AT -(1, 0, 0), LIGHTNESS +50"
+    ball, box = printed(text)
+    assert "from (-2, -2, -2) to (2, 2, 2)" in ball and "from (-1.5, -1, -1.5) to (-0.5, 1, 1.5)" in box
+
+
+def test_words_of_solids_and_joints_are_still_names_in_differences(printed):
+    text = "radius = 3; width = 4; joint = 5; strip = 6\nPRINT radius - 1, width -1\nv = (1, radius - 1)\n"
+    assert printed(f"{text}x = joint - 1; y = strip - 1\nPRINT v, x, y") == ["2 3", "(1, 2) 4 5"]
+
+
+def test_what_is_stripped_and_synchronized_may_have_a_sign(printed):
+    text = "a = STRIP +1 * walk, 5\nb = SYNCHRONIZE +1 * walk\nPRINT duration(a), duration(b)"
+    assert printed(WALK + text) == ["10 10"]
