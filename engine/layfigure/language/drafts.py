@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from layfigure.errors import LayfigureError, SourceError
 from layfigure.language.limits import Meter
 from layfigure.language.places import Place
 from layfigure.motions.keys import Key, misplaced
@@ -61,14 +62,20 @@ class Draft:
         """Return the motion of the keys, worked out anew only when one was set.
 
         Raises:
-            SourceError: frames do not ascend with the numbers of the keys.
+            SourceError: frames do not ascend with the numbers of the keys, or the motion would be too large.
         """
         if self._motion is None:
             rows = {joint: [row[number] for number in sorted(row)] for joint, row in self.keys.items()}
             for joint, row in rows.items():
                 check_ascending(joint, row)
                 meter.work("new keys", len(row), row[-1].place)
-            self._motion = Motion.of({joint: [key.key for key in row] for joint, row in rows.items()})
+            try:
+                self._motion = Motion.of({joint: [key.key for key in row] for joint, row in rows.items()})
+            except SourceError:
+                raise
+            except LayfigureError as error:
+                last = max((row[-1] for row in rows.values()), key=lambda key: key.key.time)
+                raise last.place.error(str(error)) from None
         return self._motion
 
 

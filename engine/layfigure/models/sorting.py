@@ -95,7 +95,7 @@ def _is_same(part: Part, other: Link | Model) -> bool:
 def _refuse_own_secondary(statement: Joining) -> None:
     link = statement.primary
     if isinstance(link, Link) and is_called(statement.secondary, link.name):
-        advice = f'give the second its own name: {link.name}.named("{link.name}2")'
+        advice = f"give the second its own name, in a script {link.name}2 :- {link.name}"
         raise LayfigureError(f"joint {statement.joint.id} joins the link {link.name} to itself; {advice}")
 
 

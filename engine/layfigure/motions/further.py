@@ -26,7 +26,9 @@ def speed(motion: Motion, factor: Rational) -> Motion:
     """
     times = rational(factor, "the speed")
     if times <= 0:
-        raise LayfigureError(f"the speed is {written(times)}, but must be over 0; reverse() turns a motion round")
+        raise LayfigureError(
+            f"the speed is {written(times)}, but must be over 0; the reverse of a motion runs backwards"
+        )
     return motion.scale(frames=1 / times)
 
 

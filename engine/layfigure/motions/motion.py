@@ -198,7 +198,7 @@ class Motion:
                 f"a motion is repeated a whole number of times, not {times}; scale(frames=...) stretches it"
             ) from None
         if count < 0:
-            raise LayfigureError(f"a motion cannot be repeated {count} times; reverse() turns it round")
+            raise LayfigureError(f"a motion cannot be repeated {count} times; its reverse runs backwards")
         if not self.duration:
             return Motion.EMPTY
         check_size(count * max(self.key_count, len(self.marks)), count * self.duration)

@@ -17,10 +17,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 
+from layfigure.errors import LayfigureError, SourceError
 from layfigure.figures.figure import Figure
 from layfigure.files.reading import read_text
 from layfigure.files.words import Word
@@ -28,6 +29,7 @@ from layfigure.files.writing import write_text
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_text import MotionReader, body
 from layfigure.motions.numbers import RATE, Rational, rational, written
+from layfigure.motions.size import MOST_MARKS, MOST_WRITTEN_KEYS
 from layfigure.poses.pose_file import figure_reference
 
 VERSION = 1
@@ -41,6 +43,11 @@ class MotionFile:
     motion: Motion
     figure: str | None = None
     rate: Fraction = Fraction(RATE)
+    place: tuple[str | Path, int, int] = field(default=("motion", 1, 1), compare=False)  # of the figure's name
+
+    def without_figure(self, error: LayfigureError) -> SourceError:
+        """Return the error of a figure that cannot be had, with the file and line that name it."""
+        return SourceError(*self.place, str(error))
 
 
 def save_motion(path: Path, motion: Motion, figure: Figure | None = None, rate: Rational = RATE) -> None:
@@ -65,7 +72,14 @@ def load_motion(path: Path, known: Collection[str] | None = None) -> MotionFile:
 def write_motion(
     motion: Motion, figure: Figure | None = None, rate: Rational = RATE, folder: Path | None = None
 ) -> str:
-    """Return the text of a motion file that is to lie in ``folder`` (the present one if None)."""
+    """Return the text of a motion file that is to lie in ``folder`` (the present one if None).
+
+    Raises:
+        LayfigureError: the motion is too large for a file that can be read again, or the rate is none.
+    """
+    if motion.key_count > MOST_WRITTEN_KEYS or len(motion.marks) > MOST_MARKS:
+        most = f"{MOST_WRITTEN_KEYS} keys and {MOST_MARKS} marks"
+        raise LayfigureError(f"a motion file has up to {most}, too few for this motion; make two of it")
     lines = [f"layfigure motion {VERSION}"]
     if figure is not None:
         lines.append(f"figure {figure_reference(figure, folder)}")
@@ -82,7 +96,8 @@ def read_motion(text: str, source: str | Path, known: Collection[str] | None = N
     reader = MotionReader(text, source, known)
     header = reader.header(needed=True)
     figure = _reference(text, reader, header["figure"]) if "figure" in header else None
-    return MotionFile(reader.motion(), figure, reader.rate)
+    place = reader.words.place(header["figure"].offset) if figure is not None else (1, 1)
+    return MotionFile(reader.motion(), figure, reader.rate, (source, *place))
 
 
 def _reference(text: str, reader: MotionReader, start: Word) -> str:

@@ -28,7 +28,7 @@ from layfigure.files.words import Word, WordReader
 from layfigure.motions.keys import DEFAULT, Key, Mark, Span, interpolation_id, joint_id, misplaced
 from layfigure.motions.motion import Motion
 from layfigure.motions.numbers import rational, written
-from layfigure.motions.size import MAXIMUM_KEYS, check_rate, check_value
+from layfigure.motions.size import MOST_BLANK_LINES, MOST_MARKS, MOST_WRITTEN_KEYS, check_rate, check_value
 
 _REPR = re.compile(r"""\s*Motion\.parse\((['"])(.*)\1\)\s*""", re.DOTALL)
 _STATEMENTS = ("duration", "mark", "joint", "span")
@@ -87,7 +87,7 @@ class MotionReader:
         self._marks: list[Mark] = []
         self._duration: Fraction | None = None
         self._open: _Track | None = None
-        self._count = 0
+        self._count = self._blank = 0
 
     def header(self, *, needed: bool) -> dict[str, Word]:
         """Read ``layfigure motion 1`` if it is there, and return the words of the lines figure and rate after it.
@@ -173,6 +173,8 @@ class MotionReader:
                     self.words.fail(word, "the duration stands twice; remove one of the two")
                 self._duration = self._time("the duration")
             case "mark":
+                if len(self._marks) == MOST_MARKS:
+                    self.words.fail(word, f"a motion file has up to {MOST_MARKS} marks; make two files of it")
                 self._marks.append(Mark(self._time("the time of the mark"), self._id("a mark's name")))
             case "joint":
                 self._joint(word)
@@ -200,8 +202,8 @@ class MotionReader:
         if self._open is None:
             self.words.fail(word, f"found {word} before any joint; begin with a line such as joint leftforearm")
         self._count += 1
-        if self._count > MAXIMUM_KEYS:
-            self.words.fail(word, f"a motion has up to {MAXIMUM_KEYS} keys; make two files of it")
+        if self._count > MOST_WRITTEN_KEYS:
+            self.words.fail(word, f"a motion file has up to {MOST_WRITTEN_KEYS} keys; make two files of it")
         if not self._open.spans:
             self._open.spans.append((Fraction(0), None, []))
         time = self._time("the frame")
@@ -269,7 +271,9 @@ class MotionReader:
     def next_line(self) -> Word | None:
         """Return the first word of the next line that has one, or None at the end."""
         while (word := self.words.take()).text == "\n":
-            pass
+            self._blank += 1
+            if self._blank > MOST_BLANK_LINES:
+                self.words.fail(word, f"a motion file has up to {MOST_BLANK_LINES} blank lines; remove some")
         return word if word.text else None
 
     def end_of_line(self) -> None:

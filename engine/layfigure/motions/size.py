@@ -7,6 +7,8 @@ from fractions import Fraction
 from layfigure.errors import LayfigureError
 
 MAXIMUM_KEYS = 200_000
+MOST_WRITTEN_KEYS, MOST_MARKS, MOST_BLANK_LINES = 50_000, 10_000, 100_000
+"""Of the text of a motion: what is read in about a second."""
 MAXIMUM_DURATION = 10_000_000
 """Frames; more than four days at 24 a second."""
 NEAREST = Fraction(1, 1_000_000)

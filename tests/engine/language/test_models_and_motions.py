@@ -226,3 +226,13 @@ def test_words_of_solids_and_joints_are_still_names_in_differences(printed):
 def test_what_is_stripped_and_synchronized_may_have_a_sign(printed):
     text = "a = STRIP +1 * walk, 5\nb = SYNCHRONIZE +1 * walk\nPRINT duration(a), duration(b)"
     assert printed(WALK + text) == ["10 10"]
+
+
+def test_a_motion_that_cannot_be_is_told_where_it_is_asked_for(run):
+    with pytest.raises(SourceError, match=r"script.lay:1:1: .*frames cannot be"):
+        run("m[spine, 1] = FRAME 10 ** 9 POSITION 0, 0, 0\nPRINT m")
+
+
+def test_advice_is_in_the_words_of_scripts(run):
+    with pytest.raises(SourceError, match="in a script b2 :- b"):
+        run(f"{BOXES}m :- JOINT 1, b, (0, 1, 0), b, (0, -1, 0), (0, 9)")

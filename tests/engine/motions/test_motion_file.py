@@ -124,7 +124,7 @@ def test_an_interpolation_can_be_checked_where_it_stands():
 
 def test_a_file_beyond_all_bounds_is_refused():
     keys = "\n".join(f"{frame} 0 0 0" for frame in range(200_002))
-    assert "200000 keys" in sentence(f"layfigure motion 1\njoint a\n{keys}")
+    assert "50000 keys" in sentence(f"layfigure motion 1\njoint a\n{keys}")
 
 
 def test_whatever_happens_to_a_file_it_is_a_motion_or_one_sentence():
@@ -171,3 +171,16 @@ def test_values_that_no_pose_can_have_are_refused_with_their_line(joint, number)
 def test_rates_are_bounded(rate):
     text = f"layfigure motion 1\nrate {rate}\nduration 2\n"
     assert sentence(text).startswith("m.motion:2:6: the frames a second must be over 0, from 0.01 to 1000")
+
+
+def test_marks_and_blank_lines_are_counted_while_reading():
+    marks = "mark 1 a\n" * 10_001
+    assert sentence(f"layfigure motion 1\nduration 2\n{marks}").startswith("m.motion:10003:1: a motion file has up to")
+    blank = "\n" * 100_001
+    assert "blank lines" in sentence(f"layfigure motion 1\n{blank}duration 2\n")
+
+
+def test_a_motion_that_could_not_be_read_again_is_not_written():
+    large = Motion.of({"5": [(0, (0, 0, 0)), (1, (0, 0, 9))]}) * 25_001
+    with pytest.raises(LayfigureError, match="up to 50000 keys"):
+        write_motion(large)

@@ -169,3 +169,10 @@ def test_after_a_command_that_lacks_a_word_the_word_is_typed_after_it(moving):
     assert "a frame's number is wanted" in moving.mode.overlay().message
     press(moving, *"30", "enter")
     assert moving.document.playhead == 30 and moving.mode.state == "pose"
+
+
+def test_a_figure_that_is_not_there_is_told_with_the_line_that_names_it(session, tmp_path):
+    path = tmp_path / "strange.motion"
+    path.write_text("layfigure motion 1\nfigure nosuch\nduration 2\n", encoding="utf-8")
+    with pytest.raises(LayfigureError, match=r'strange.motion:2:8: there is no figure "nosuch"'):
+        session.execute(f"open {path}")

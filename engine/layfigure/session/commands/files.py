@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from layfigure.errors import FileError, ImpossibleError
+from layfigure.errors import FileError, ImpossibleError, LayfigureError, SourceError
 from layfigure.figures.figure import Figure
 from layfigure.files.writing import write_text
 from layfigure.motions.library import SUFFIX as MOTION
@@ -154,7 +154,12 @@ def _open_motion(session: Session, path: Path) -> None:
 
     found = load_motion(path, known_curves(session.host))
     if found.figure is not None:
-        figure = figure_beside(session.host, found.figure, path.parent)
+        try:
+            figure = figure_beside(session.host, found.figure, path.parent)
+        except SourceError:  # a figure there is, with a mistake of its own
+            raise
+        except LayfigureError as error:
+            raise found.without_figure(error) from None
         if reference_to(figure) != reference_to(session.document.figure):
             session.execute(join_line("figure", [reference_to(figure)]))
     for line in motion_lines(found.motion, found.rate):
