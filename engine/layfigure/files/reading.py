@@ -11,18 +11,30 @@ from pathlib import Path
 from layfigure.errors import FileError, SourceError
 
 MAXIMUM_BYTES = 4 * 1024 * 1024
-_NOTED: ContextVar[list[Path] | None] = ContextVar("noted", default=None)
+Read = tuple[Path, str | None]
+_NOTED: ContextVar[list[Read] | None] = ContextVar("noted", default=None)
 
 
 @contextmanager
-def reads_noted() -> Iterator[list[Path]]:
-    """Collect the paths that :func:`read_text` is asked for meanwhile: what a result hangs on."""
-    paths: list[Path] = []
-    token = _NOTED.set(paths)
+def reads_noted() -> Iterator[list[Read]]:
+    """Collect what :func:`read_text` is asked for meanwhile, which is what a result hangs on.
+
+    Each path comes with the digest of the bytes that were read, since the file may be another by the time that anybody
+    looks again; None stands for a file that could not be read.
+    """
+    reads: list[Read] = []
+    token = _NOTED.set(reads)
     try:
-        yield paths
+        yield reads
     finally:
         _NOTED.reset(token)
+
+
+def digest_of(raw: bytes) -> str:
+    """Return what the bytes of a file are known by."""
+    from hashlib import blake2b
+
+    return blake2b(raw, digest_size=16).hexdigest()
 
 
 def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
@@ -32,9 +44,16 @@ def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
         FileError: it is missing, a folder, not a regular file, unreadable, or too large.
         SourceError: it is not UTF-8; line and column say where.
     """
-    noted = _NOTED.get()
-    if noted is not None:
-        noted.append(path)
+    noted, raw = _NOTED.get(), None
+    try:
+        raw = _bytes_of(path, maximum_bytes)
+    finally:
+        if noted is not None:
+            noted.append((path, None if raw is None else digest_of(raw)))
+    return decode(raw, path)
+
+
+def _bytes_of(path: Path, maximum_bytes: int) -> bytes:
     try:
         mode = path.stat().st_mode
         if stat.S_ISDIR(mode):
@@ -51,7 +70,7 @@ def read_text(path: Path, *, maximum_bytes: int = MAXIMUM_BYTES) -> str:
         raise FileError(f"{str(path)!a}: no file can have that name; check it") from None
     if len(raw) > maximum_bytes:
         raise FileError(f"{path}:1:1: is larger than {maximum_bytes // 1024} KiB, which no such file needs to be")
-    return decode(raw, path)
+    return raw
 
 
 def decode(raw: bytes, source: str | Path) -> str:

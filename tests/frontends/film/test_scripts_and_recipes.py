@@ -13,9 +13,11 @@ from PIL import Image
 
 from layfigure.errors import LayfigureError, SourceError
 from layfigure.language.limits import Limits
+from layfigure_frontends.film import rendering
 from layfigure_frontends.film.choice import FilmChoice
 from layfigure_frontends.film.opening import open_film
 from layfigure_frontends.film.plan import plan
+from layfigure_frontends.film.production import produce
 from layfigure_frontends.film.rendering import Request, render
 from layfigure_frontends.film.sources import scripts
 from layfigure_frontends.opening import PluginChoice
@@ -127,6 +129,26 @@ def test_a_damaged_recipe_is_not_used(request_, folder, runs, damage):
     entry.write_bytes(damage)
     assert render(request_, folder / "cache").recalled  # the film itself is there still
     assert len(runs) == 2
+
+
+@pytest.mark.parametrize("name", ["two.lay", "wave.motion"])
+def test_a_file_that_is_edited_while_its_film_is_drawn_is_drawn_anew(request_, folder, monkeypatch, name):
+    old = (folder / name).read_text()
+    new = {"two.lay": script(length=5), "wave.motion": WAVE.format(end=60)}[name]
+
+    def edited(*words):
+        (folder / name).write_text(new)
+        return produce(*words)
+
+    monkeypatch.setattr(rendering, "produce", edited)
+    render(request_, folder / "cache")
+    drawn_of_old = request_.output.read_bytes()
+    monkeypatch.undo()
+    assert not render(request_, folder / "cache").recalled
+    assert request_.output.read_bytes() != drawn_of_old
+    (folder / name).write_text(old)
+    assert render(request_, folder / "cache").recalled
+    assert request_.output.read_bytes() == drawn_of_old
 
 
 def test_a_recipe_whose_film_is_lost_is_not_used(request_, folder, runs):

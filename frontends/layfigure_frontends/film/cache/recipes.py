@@ -6,14 +6,15 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from fractions import Fraction
-from hashlib import blake2b
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from layfigure.files.reading import digest_of
 from layfigure_frontends.film.cache.store import Store
 from layfigure_frontends.film.reel import Film, Reel, Size
 
 if TYPE_CHECKING:
+    from layfigure.files.reading import Read
     from layfigure_frontends.film.reel import Pixels
 
 _LARGEST = 1 << 20
@@ -43,12 +44,12 @@ class Recipe:
         return Film(reels, Size(*self.size), Fraction(self.rate), self.first, warnings=self.warnings)
 
 
-def recipe_of(film: Film, key: str, reads: Iterable[Path]) -> Recipe | None:
-    """Return the recipe of a finished film, or None if a file that was read for it cannot be read again."""
-    digests = {str(path.absolute()): _digest(path) for path in reads}
-    known = {path: digest for path, digest in digests.items() if digest is not None}
-    if len(known) < len(digests):
-        return None
+def recipe_of(film: Film, key: str, reads: Iterable[Read]) -> Recipe | None:
+    """Return the recipe of a finished film, or None if a file could not be read for it or changed between two reads."""
+    known: dict[str, str] = {}
+    for path, digest in reads:
+        if digest is None or known.setdefault(str(path.absolute()), digest) != digest:
+            return None
     size = (film.size.width, film.size.height)
     return Recipe(key, known, len(film), film.first, size, str(film.rate), film.warnings)
 
@@ -101,6 +102,6 @@ class _Blank:
 
 def _digest(path: Path) -> str | None:
     try:
-        return blake2b(path.read_bytes(), digest_size=16).hexdigest()
+        return digest_of(path.read_bytes())
     except OSError:
         return None
