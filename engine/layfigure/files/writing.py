@@ -5,11 +5,25 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 from pathlib import Path
 from typing import IO
 
 from layfigure.errors import FileError
+
+_NOTED: ContextVar[dict[Path, bytes] | None] = ContextVar("noted", default=None)
+
+
+@contextlib.contextmanager
+def writes_noted() -> Iterator[dict[Path, bytes]]:
+    """Collect, by path, the digest of what is written meanwhile: another process may write there right afterwards."""
+    written: dict[Path, bytes] = {}
+    token = _NOTED.set(written)
+    try:
+        yield written
+    finally:
+        _NOTED.reset(token)
 
 
 def write_text(path: Path, text: str) -> None:
@@ -57,6 +71,7 @@ def write_beside(path: Path, make: Callable[[Path], object], *, lasting: bool = 
         if lasting:
             _wait_for_disk(name)
         _keep_mode(path, Path(name))
+        _note(path, Path(name))
         Path(name).replace(path)
     except OSError as error:
         _discard(name)
@@ -69,6 +84,16 @@ def write_beside(path: Path, make: Callable[[Path], object], *, lasting: bool = 
 def _wait_for_disk(name: str) -> None:
     with Path(name).open("rb+") as stream:
         os.fsync(stream.fileno())
+
+
+def _note(path: Path, place: Path) -> None:
+    """Note the digest of what lies beside its place, where nobody else writes, if anybody wants to know it."""
+    noted = _NOTED.get()
+    if noted is not None:
+        from hashlib import blake2b, file_digest
+
+        with place.open("rb") as stream:
+            noted[path] = file_digest(stream, lambda: blake2b(digest_size=16)).digest()
 
 
 def _keep_mode(old: Path, new: Path) -> None:

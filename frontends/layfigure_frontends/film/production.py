@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from layfigure.files.writing import writes_noted
 from layfigure_frontends.film.outputs import Sink, sink_for
 from layfigure_frontends.film.reel import Film
 from layfigure_frontends.film.sinks import frames
@@ -101,8 +102,9 @@ def _recall_or_write(film: Film, sink: Sink, output: Path, cache: Path) -> Produ
     paths = tuple(sink.paths(film, output))
     recalled = finished.recall(key, paths)
     if not recalled:
-        _write(_kept(film, store, decided), sink, output)
-        finished.keep(key, paths)
+        with writes_noted() as written:
+            _write(_kept(film, store, decided), sink, output)
+        finished.keep(key, {path: written[path] for path in paths})
     return Produced(paths, remarks(film, output), recalled, key)
 
 

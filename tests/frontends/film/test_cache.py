@@ -88,6 +88,29 @@ def test_a_damaged_film_is_drawn_again_and_kept_again(tmp_path, cache, damage, n
     assert not list(tmp_path.glob("*.part"))
 
 
+class Meddled(Disc):
+    """A disc in whose midst somebody else has to do with a file that is written already."""
+
+    def __init__(self, count, path, meddle):
+        super().__init__(count)
+        self.path, self.meddle = path, meddle
+
+    def draw(self, index, size):
+        if index == self.count - 1:
+            self.meddle(self.path)
+        return super().draw(index, size)
+
+
+@pytest.mark.parametrize("meddle", [lambda path: path.write_bytes(b"other"), lambda path: path.unlink()])
+def test_a_film_with_which_somebody_meddles_while_it_is_drawn_is_not_kept(tmp_path, cache, meddle):
+    plain = contents(produce(film_of(Disc(4)), tmp_path / "plain" / "%d.png").paths)
+    first = tmp_path / "a" / "0.png"
+    produce(film_of(Meddled(4, first, meddle)), tmp_path / "a" / "%d.png", cache)
+    assert not list(cache.glob("*"))
+    again = produce(film_of(Disc(4)), tmp_path / "a" / "%d.png", cache)
+    assert (again.recalled, contents(again.paths)) == (False, plain)
+
+
 def test_an_unchanged_scene_of_several_is_not_drawn_again(tmp_path, cache):
     first, second, other = Disc(6, "a"), Disc(7, "b"), Disc(7, "c")
     produce(film_of(first, second), tmp_path / "film.apng", cache)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import blake2b
 from pathlib import Path
@@ -40,12 +41,17 @@ class Finished:
                 return False
         return True
 
-    def keep(self, key: str, paths: Sequence[Path]) -> None:
-        """Keep the files of a film."""
-        with self.store.recording(key) as recording:
-            for path in paths:
+    def keep(self, key: str, written: Mapping[Path, bytes]) -> None:
+        """Keep the files of a film, in order, each known by the digest of what was written there.
+
+        Nothing is kept if one is gone or another by now: somebody else writes there too.
+        """
+        with contextlib.suppress(OSError, DamagedError), self.store.recording(key) as recording:
+            for path, expected in written.items():
                 content = path.read_bytes()
-                recording.add(_BEFORE.pack(len(content), blake2b(content, digest_size=16).digest()))
+                if blake2b(content, digest_size=16).digest() != expected:
+                    raise DamagedError
+                recording.add(_BEFORE.pack(len(content), expected))
                 recording.add(content)
 
 
