@@ -1,5 +1,6 @@
 """Scripts as films, and how one that was drawn before is not even run again."""
 
+import json
 import subprocess
 import sys
 from dataclasses import replace
@@ -12,6 +13,7 @@ import pytest
 from PIL import Image
 
 from layfigure.errors import LayfigureError, SourceError
+from layfigure.files.digests import joined
 from layfigure.language.limits import Limits
 from layfigure_frontends.film import rendering
 from layfigure_frontends.film.choice import FilmChoice
@@ -129,6 +131,30 @@ def test_a_damaged_recipe_is_not_used(request_, folder, runs, damage):
     entry.write_bytes(damage)
     assert render(request_, folder / "cache").recalled  # the film itself is there still
     assert len(runs) == 2
+
+
+FIELDS = [("rate", "1/0"), ("rate", None), ("size", [64]), ("count", "x"), ("reads", 5), ("warnings", None)]
+
+
+@pytest.mark.parametrize(("field", "value"), [*FIELDS, ("film", 5)])
+@pytest.mark.parametrize("whole", [True, False], ids=["with its digest", "alone"])
+def test_a_recipe_that_says_what_no_film_can_be_is_forgotten(request_, folder, field, value, whole):
+    render(request_, folder / "cache")
+    (entry,) = (folder / "cache").glob("*.recipe")
+    good = entry.read_bytes()
+    bad = json.dumps({**json.loads(good[16:]), field: value}).encode()
+    entry.write_bytes((joined([bad]) if whole else good[:16]) + bad)
+    assert render(request_, folder / "cache").recalled
+    assert entry.read_bytes() == good
+
+
+def test_a_recipe_of_brackets_is_forgotten(request_, folder):
+    render(request_, folder / "cache")
+    (entry,) = (folder / "cache").glob("*.recipe")
+    good, bad = entry.read_bytes(), b"[" * 100_000
+    entry.write_bytes(joined([bad]) + bad)
+    render(request_, folder / "cache")
+    assert entry.read_bytes() == good
 
 
 @pytest.mark.parametrize("name", ["two.lay", "wave.motion"])

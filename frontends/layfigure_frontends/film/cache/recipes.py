@@ -9,6 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from layfigure.files.digests import joined
 from layfigure.files.reading import digest_of
 from layfigure_frontends.film.cache.store import Store
 from layfigure_frontends.film.reel import Film, Reel, Size
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from layfigure_frontends.film.reel import Pixels
 
 _LARGEST = 1 << 20
+_DIGEST = 16  # bytes before an entry that tell whether it is whole
+_DAMAGED = (ValueError, TypeError, KeyError, AttributeError, ArithmeticError, RecursionError)
 
 
 @dataclass(frozen=True)
@@ -68,10 +71,9 @@ class Recipes:
         with stream:
             raw = stream.read(_LARGEST)
         try:
-            fields = json.loads(raw)
-            recipe = Recipe(**{**fields, "size": tuple(fields["size"]), "warnings": tuple(fields["warnings"])})
+            recipe = _recipe(raw)
             unchanged = all(_digest(Path(path)) == digest for path, digest in recipe.reads.items())
-        except (ValueError, TypeError, KeyError, AttributeError):
+        except _DAMAGED:
             self.store.forget(key)
             return None
         return recipe if unchanged else None
@@ -79,7 +81,25 @@ class Recipes:
     def keep(self, key: str, recipe: Recipe) -> None:
         """Keep a recipe."""
         with self.store.recording(key) as recording:
-            recording.add(json.dumps(asdict(recipe)).encode())
+            raw = json.dumps(asdict(recipe)).encode()
+            recording.add(joined([raw], _DIGEST) + raw)
+
+
+def _recipe(raw: bytes) -> Recipe:
+    """Return the recipe that an entry holds.
+
+    Raises:
+        Any of _DAMAGED: it is not what was put there, or says what no film can be.
+    """
+    digest, told = raw[:_DIGEST], raw[_DIGEST:]
+    if joined([told], _DIGEST) != digest:
+        raise ValueError("the entry is damaged")
+    fields = json.loads(told)
+    recipe = Recipe(**{**fields, "size": tuple(fields["size"]), "warnings": tuple(fields["warnings"])})
+    if not isinstance(recipe.film, str):
+        raise TypeError("the entry names no film")
+    recipe.blank()
+    return recipe
 
 
 @dataclass(frozen=True)
