@@ -9,7 +9,9 @@ from layfigure_frontends.film.reel import Film, Size
 
 SMALLEST, LARGEST = 16, 8192
 SLOWEST, FASTEST = Fraction(1, 100), 1000
+RATES = f"{float(SLOWEST):g} to {FASTEST}"
 _FINEST = 1001  # the denominator of television's rates
+_REPEATED = 40  # letters
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,9 @@ def read_size(text: str | None) -> tuple[int | None, int] | None:
         return None
     words = text.lower().split("x")
     if not (1 <= len(words) <= 2 and all(word.isdecimal() and len(word) <= 5 for word in words)):
-        raise LayfigureError(f'--size is "{text}"; write a height such as 480, or width and height such as 640x480')
+        raise LayfigureError(
+            f'--size is "{shortened(text)}"; write a height such as 480, or width and height such as 640x480'
+        )
     numbers = [int(word) for word in words]
     if not all(SMALLEST <= number <= LARGEST for number in numbers):
         raise LayfigureError(f"--size is {text}; each side must be {SMALLEST} to {LARGEST} pixels")
@@ -72,16 +76,28 @@ def read_rate(text: str | None) -> Fraction | None:
         LayfigureError: it is none of these, or too slow or fast.
     """
     from layfigure.errors import LayfigureError
+    from layfigure.motions.numbers import rational
 
     if text is None:
         return None
     try:
-        rate = Fraction(text[:40]).limit_denominator(_FINEST)
-    except (ValueError, ZeroDivisionError):
-        raise LayfigureError(f'--fps is "{text}"; write pictures per second such as 24, 12.5 or 24000/1001') from None
-    if not SLOWEST <= rate <= FASTEST:
-        raise LayfigureError(f"--fps is {text}; it must be {float(SLOWEST):g} to {FASTEST} pictures per second")
+        rate = shown_rate(rational(text))
+    except LayfigureError:
+        told = f'--fps is "{shortened(text)}"'
+        raise LayfigureError(f"{told}; write pictures per second such as 24, 12.5 or 24000/1001") from None
+    if rate is None:
+        raise LayfigureError(f"--fps is {shortened(text)}; it must be {RATES} pictures per second")
     return rate
+
+
+def shown_rate(rate: Fraction) -> Fraction | None:
+    """Return a rate as films have it, its denominator small enough for all formats, or None if it is out of bounds."""
+    return rate.limit_denominator(_FINEST) if SLOWEST <= rate <= FASTEST else None
+
+
+def shortened(text: str) -> str:
+    """Return what was written as a sentence can repeat it."""
+    return text if len(text) <= _REPEATED else f"{text[:_REPEATED]}..."
 
 
 def read_part(text: str | None) -> tuple[int, int | None] | None:
@@ -96,7 +112,9 @@ def read_part(text: str | None) -> tuple[int, int | None] | None:
         return None
     first, colon, end = text.partition(":")
     if not colon or not all(word == "" or (word.isdecimal() and len(word) <= 9) for word in (first, end)):
-        raise LayfigureError(f'--frames is "{text}"; write a:b, from picture a up to but without b, as in 0:24 or 48:')
+        raise LayfigureError(
+            f'--frames is "{shortened(text)}"; write a:b, from picture a up to but without b, as in 0:24 or 48:'
+        )
     return int(first or 0), int(end) if end else None
 
 

@@ -37,6 +37,13 @@ def test_every_picture_comes_and_the_whole_lasts_what_it_should(tmp_path, suffix
     assert abs(total - 1000 * film.seconds) < (5.01 if suffix == ".gif" else 0.51)
 
 
+def test_a_picture_that_stands_for_longer_than_gif_can_say_is_refused(tmp_path):
+    produce(film_of(Disc(2), rate=Fraction(100, 65535)), tmp_path / "longest.gif")
+    with pytest.raises(FileError, match=r"longer\.gif: GIF shows a picture for at most 655\.35 s"):
+        produce(film_of(Disc(2), rate=Fraction(100, 65536)), tmp_path / "longer.gif")
+    assert [path.name for path in tmp_path.iterdir()] == ["longest.gif"]
+
+
 @pytest.mark.parametrize(("suffix", "worst", "mean"), [(".gif", 24, 1.5), (".apng", 0, 0), (".webp", 128, 3)])
 def test_pictures_look_as_they_were_drawn(tmp_path, suffix, worst, mean):
     film = film_of(Disc(12), size=(160, 120))

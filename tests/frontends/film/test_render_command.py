@@ -1,6 +1,7 @@
 """``layfigure render`` as a shell sees it."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,14 +15,16 @@ import pytest
 from PIL import Image
 
 from layfigure import compiled, resources
+from layfigure.errors import FileError, LayfigureError
 from layfigure.figures.library import load_figure
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import save_motion
 from layfigure.poses.pose import Pose
 from layfigure.poses.pose_file import load_pose
 from layfigure.poses.pose_set import save_poses
-from layfigure_frontends.film.choice import FilmChoice
+from layfigure_frontends.film.choice import FilmChoice, read_part, read_rate, read_size
 from layfigure_frontends.film.opening import open_film
+from layfigure_frontends.film.production import produce
 from layfigure_frontends.opening import PluginChoice
 
 LIMITED = (
@@ -249,6 +252,47 @@ def test_an_interruption_leaves_no_part_of_a_film(folder, places, output):
     for path in folder.rglob("long/*.png"):
         with Image.open(path) as image:
             image.load()
+
+
+def with_rate(folder, rate):
+    path = folder / "wave.motion"
+    path.write_text(re.sub(r"(?m)^rate .*$", f"rate {rate}", path.read_text()))
+    return path
+
+
+@pytest.mark.parametrize("rate", ["1e-3", "1e-30", "1e30", "1001/1000000007", "1000.01"])
+@pytest.mark.parametrize("name", ["a.gif", "a.mp4", None])
+def test_a_motion_whose_own_rate_no_film_can_have_is_refused_by_name(folder, rate, name):
+    path, output = with_rate(folder, rate), Path(name) if name else None
+    with pytest.raises(FileError, match=r"wave\.motion: its rate is .*, but films show 0\.01 to 1000 pictures"):
+        open_film(path, output, FilmChoice(renderer="stick", size=(64, 48)), PluginChoice(safe=True))
+
+
+@pytest.mark.parametrize("name", ["a.gif", "a.apng", "a.webp", "a.mp4"])
+@pytest.mark.parametrize(
+    ("rate", "shown"),
+    [("0.01", Fraction(1, 100)), ("1000", 1000), ("24.000000000123", 24), ("23.976", Fraction(2997, 125))],
+)
+def test_every_format_holds_rates_at_the_bounds_and_crooked_ones(folder, name, rate, shown):
+    asked = FilmChoice(renderer="stick", size=(64, 48), part=(0, 3))
+    film = open_film(with_rate(folder, rate), folder / name, asked, PluginChoice(safe=True))
+    assert film.rate == shown
+    (path,) = produce(film, folder / name).paths
+    assert path.stat().st_size
+
+
+@pytest.mark.parametrize("text", ["1e99999999999", "1e-99999999999", "9" * 500, "1/" + "3" * 500])
+def test_a_rate_beyond_all_use_is_refused_at_once_and_briefly(text):
+    with pytest.raises(LayfigureError, match=r"--fps is") as told:
+        read_rate(text)
+    assert len(str(told.value)) < 160
+
+
+@pytest.mark.parametrize("read", [read_size, read_part])
+def test_what_is_wrong_is_repeated_briefly(read):
+    with pytest.raises(LayfigureError) as told:
+        read("x" * 10_000)
+    assert len(str(told.value)) < 200
 
 
 def test_rates_of_television_are_exact(folder, render):

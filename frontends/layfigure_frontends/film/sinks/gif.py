@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 HUNDREDTHS = 100
 FASTEST = 50  # programs show a delay under two hundredths as ten
+LONGEST = 65535  # hundredths
 SAMPLES = 24
 _FOREVER = b"!\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"
 _END = b";"
@@ -46,11 +47,14 @@ def write(film: Film, pictures: Iterator[Pixels], path: Path) -> None:
     """Write a GIF that loops for ever.
 
     Raises:
-        FileError: the file cannot be written.
+        FileError: the file cannot be written, or a picture would be shown for longer than GIF can say.
     """
+    from layfigure.errors import FileError
     from layfigure.files.writing import write_with
     from layfigure_frontends.film.sinks.palette import palette_of
 
+    if HUNDREDTHS / film.rate > LONGEST:
+        raise FileError(f"{path}: GIF shows a picture for at most {LONGEST / HUNDREDTHS} s; ask for more with --fps")
     palette = palette_of(film.chosen(evenly(len(film), SAMPLES)))
     write_with(path, lambda stream: _write(stream, film, pictures, palette))
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from layfigure_frontends.film.choice import FilmChoice, shaped
+from layfigure_frontends.film.choice import RATES, FilmChoice, shaped, shortened, shown_rate
 from layfigure_frontends.film.reel import Film, Size
 from layfigure_frontends.film.sources.shootings import USUAL, drawers_of, reels_of, told, warned
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from layfigure.figures.figure import Figure
     from layfigure.motions.motion import Motion
     from layfigure.motions.standard import Curves
@@ -36,7 +38,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     file = load_motion(source, curves)
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
-    rate = asked.rate or file.rate
+    rate = asked.rate or _own_rate(file.rate, source)
     motion = file.motion * asked.repeat if asked.repeat > 1 else file.motion
     aspect, loop = size.width / size.height, _goes_round(file.motion, curves)
     filming = Filming(view, rate, file.rate, aspect, loop=loop, in_place=asked.in_place)
@@ -53,6 +55,22 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
         identity=drawers.identity,
         code=drawers.code,
     )
+
+
+def _own_rate(rate: Fraction, source: Path) -> Fraction:
+    """Return a motion's own rate as that of its film.
+
+    Raises:
+        FileError: films are not so slow or fast.
+    """
+    from layfigure.errors import FileError
+    from layfigure.motions.numbers import written
+
+    shown = shown_rate(rate)
+    if shown is None:
+        told = shortened(written(rate))
+        raise FileError(f"{source}: its rate is {told}, but films show {RATES} pictures per second; ask with --fps")
+    return shown
 
 
 def _figure(host: Host, own: str | None, source: Path, other: str | None, usual: str) -> Figure:
