@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import os
 import sys
+from typing import TextIO
 
 import click
 
@@ -89,11 +90,25 @@ def main() -> None:
     except (click.Abort, KeyboardInterrupt):
         sys.exit(130)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _mute(sys.stdout)
         sys.exit(1)
+    except OSError as error:
+        if error.filename is not None:
+            raise  # not the output, which has no name
+        _mute(sys.stdout)
+        _fail(f"the output cannot be written ({error.strerror or error})")
     sys.exit(status if isinstance(status, int) else 0)
 
 
 def _fail(sentence: str) -> None:
-    click.echo(f"layfigure: {' '.join(sentence.split())}", err=True)
+    try:
+        click.echo(f"layfigure: {' '.join(sentence.split())}", err=True)
+    except OSError:
+        _mute(sys.stderr)  # nobody can be told
     sys.exit(2)
+
+
+def _mute(stream: TextIO | None) -> None:
+    """Let what is left in a stream go nowhere, so that the interpreter does not stumble over it at its end."""
+    if stream is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

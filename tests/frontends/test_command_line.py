@@ -194,3 +194,18 @@ def test_a_keymap_is_chosen_for_once_on_the_command_line():
 def test_a_keymap_that_does_not_exist_is_refused_with_those_that_do():
     with pytest.raises(LayfigureError, match='no keymap "emacs"; it can be blender, layfigure, maya'):
         open_session(PluginChoice(), "juxo", "sdl", "emacs")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device here that is always full")
+@pytest.mark.parametrize("told", [True, False], ids=["to somebody", "to nobody"])
+def test_an_output_that_is_full_ends_in_a_sentence_and_what_is_saved_is_saved(tmp_path, told):
+    (tmp_path / "ok.lay").write_text('m[1, 1] = FRAME 3 POSITION 1, 2, 3\nPRINT "hello"\nSAVE m, "m.motion"')
+    command = [sys.executable, "-m", "layfigure_frontends", "run", "ok.lay"]
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE if told else full, text=True, check=False
+        )
+    assert done.returncode == 2
+    if told:
+        assert done.stderr == "layfigure: the output cannot be written (No space left on device)\n"
+    assert (tmp_path / "m.motion").exists()

@@ -47,6 +47,14 @@ def test_pictures_look_as_they_were_drawn(tmp_path):
     assert np.abs(np.array(shown) - drawn).mean() < 2
 
 
+def test_a_pyav_that_cannot_be_loaded_is_told_in_a_sentence(tmp_path, film, monkeypatch):
+    monkeypatch.delitem(sys.modules, "av.video.reformatter", raising=False)
+    monkeypatch.setitem(sys.modules, "av.video.reformatter", None)
+    with pytest.raises(LayfigureError, match="PyAV is there, but cannot be loaded"):
+        produce(film, tmp_path / "film.mp4")
+    assert not list(tmp_path.iterdir())
+
+
 def test_it_is_the_same_to_the_byte_twice_and_carries_no_time_of_making(tmp_path, film, written):
     again = tmp_path / "again.mp4"
     produce(film, again)

@@ -67,13 +67,18 @@ def write(film: Film, pictures: Iterator[Pixels], path: Path) -> None:
 
     Raises:
         FileError: the file cannot be written.
-        LayfigureError: PyAV, or in it the encoder, is missing.
+        LayfigureError: PyAV, or in it the encoder, is missing, or it cannot be loaded.
     """
     from layfigure.errors import LayfigureError
     from layfigure.files.writing import write_beside
 
     check()
-    import av
+    try:
+        import av
+        import av.video.reformatter
+    except ImportError as error:
+        advice = "install it anew, or write .webp, .gif or .apng"
+        raise LayfigureError(f"PyAV is there, but cannot be loaded ({error}); {advice}") from None
 
     if _CODEC not in av.codecs_available:
         raise LayfigureError(f"this PyAV has no {_CODEC}; write .webp, .gif or .apng, or frames/%04d.png")
