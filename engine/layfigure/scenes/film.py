@@ -111,7 +111,7 @@ def film_of_motion(
 def _times(motion: Motion, filming: Filming) -> Floats:
     times = frame_times(motion, filming.fps, filming.rate)
     if len(times) > MAXIMUM_IMAGES:
-        raise LayfigureError(f"a film of {len(times)} pictures is too long; take fewer a second, or a part")
+        raise LayfigureError(f"a film of {len(times)} pictures is too long; take fewer a second, or a shorter motion")
     step = rational(filming.rate) / rational(filming.fps)
     if filming.loop and len(times) > 1 and (len(times) - 1) * step == motion.duration:
         return times[:-1]

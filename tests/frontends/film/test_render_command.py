@@ -234,9 +234,14 @@ def test_a_full_disk_leaves_no_part_of_a_film(folder, render, output):
     assert sorted(folder.iterdir()) == before
 
 
+ENDINGS = [("long.gif", "SIGINT"), ("long.mp4", "SIGINT"), ("long/%04d.png", "SIGINT")]
+ENDINGS += [("long.gif", "SIGTERM"), ("long.mp4", "SIGHUP")]
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signals here")
-@pytest.mark.parametrize("output", ["long.gif", "long.mp4", "long/%04d.png"])
-def test_an_interruption_leaves_no_part_of_a_film(folder, places, output):
+@pytest.mark.parametrize(("output", "name"), ENDINGS)
+def test_an_interruption_leaves_no_part_of_a_film(folder, places, output, name):
+    number = getattr(signal, name)
     slow = Motion.of({"leftupperarm": [(0, (0, 0, 0)), (20000, (60, 0, 0))]})
     save_motion(folder / "slow.motion", slow, load_figure("humanoid"))
     command = [sys.executable, "-m", "layfigure_frontends", "render", "slow.motion", "-o", output, *STICK]
@@ -244,10 +249,10 @@ def test_an_interruption_leaves_no_part_of_a_film(folder, places, output):
     deadline = time.monotonic() + 60
     while not [*folder.rglob("*.part"), *folder.rglob("00*.png")] and time.monotonic() < deadline:
         time.sleep(0.02)
-    running.send_signal(signal.SIGINT)
+    running.send_signal(number)
     _, errors = running.communicate(timeout=60)
     # Python ends by the signal itself, which shells show as 130 too, if it came while a dataclass was being made
-    assert (running.returncode, errors.strip()) in {(130, b""), (-signal.SIGINT, b"")}
+    assert (running.returncode, errors.strip()) in {(128 + number, b""), (-signal.SIGINT, b"")}
     assert not [*folder.rglob("*.part"), *folder.rglob("long.*")]
     for path in folder.rglob("long/*.png"):
         with Image.open(path) as image:
@@ -266,6 +271,16 @@ def test_a_motion_whose_own_rate_no_film_can_have_is_refused_by_name(folder, rat
     path, output = with_rate(folder, rate), Path(name) if name else None
     with pytest.raises(FileError, match=r"wave\.motion: its rate is .*, but films show 0\.01 to 1000 pictures"):
         open_film(path, output, FilmChoice(renderer="stick", size=(64, 48)), PluginChoice(safe=True))
+
+
+@pytest.mark.parametrize("part", [(0, 3), None])
+@pytest.mark.parametrize("last", [1_000_001, 9_999_999])
+def test_a_motion_too_long_for_a_film_is_refused_by_name_whatever_part_is_asked_for(folder, part, last):
+    path = folder / "long.motion"
+    save_motion(path, Motion.of({"leftupperarm": [(0, (0, 0, 0)), (last, (60, 0, 0))]}))
+    asked = FilmChoice(renderer="stick", size=(64, 48), part=part)
+    with pytest.raises(FileError, match=r"long\.motion: makes \d{7} pictures.*fewer a second"):
+        open_film(path, None, asked, PluginChoice(safe=True))
 
 
 @pytest.mark.parametrize("name", ["a.gif", "a.apng", "a.webp", "a.mp4"])

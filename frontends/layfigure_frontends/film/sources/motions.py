@@ -42,6 +42,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     motion = file.motion * asked.repeat if asked.repeat > 1 else file.motion
     aspect, loop = size.width / size.height, _goes_round(file.motion, curves)
     filming = Filming(view, rate, file.rate, aspect, loop=loop, in_place=asked.in_place)
+    _check_length(motion.duration * rate // file.rate + 1, source)
     usual = load_configuration(choice.config).figure
     figure = _figure(drawers.host, file.figure, source, asked.figure, usual)
     shot = film_of_motion(figure, motion, filming, curves=curves)
@@ -71,6 +72,22 @@ def _own_rate(rate: Fraction, source: Path) -> Fraction:
         told = shortened(written(rate))
         raise FileError(f"{source}: its rate is {told}, but films show {RATES} pictures per second; ask with --fps")
     return shown
+
+
+def _check_length(count: int, source: Path) -> None:
+    """Find out whether a motion makes a film of bearable length; what the camera sees hangs on the whole of it.
+
+    Raises:
+        FileError: it does not.
+    """
+    from layfigure.errors import FileError
+    from layfigure.scenes.performing import MAXIMUM_IMAGES
+
+    if count > MAXIMUM_IMAGES:
+        told = (
+            f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, even one of which --frames takes a part"
+        )
+        raise FileError(f"{source}: {told}; ask for fewer a second with --fps, or shorten the motion")
 
 
 def _figure(host: Host, own: str | None, source: Path, other: str | None, usual: str) -> Figure:
