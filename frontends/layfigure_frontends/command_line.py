@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import importlib
 import os
+import signal
 import sys
+import threading
+from types import FrameType
 from typing import TextIO
 
 import click
@@ -81,6 +84,7 @@ def layfigure() -> None:
 
 def main() -> None:
     """Run the command line; a user's mistake is one sentence on standard error and exit status 2."""
+    _end_in_good_order()
     try:
         status = layfigure.main(standalone_mode=False)
     except LayfigureError as error:
@@ -98,6 +102,22 @@ def main() -> None:
         _mute(sys.stdout)
         _fail(f"the output cannot be written ({error.strerror or error})")
     sys.exit(status if isinstance(status, int) else 0)
+
+
+def _end_in_good_order() -> None:
+    """Let signals that ask for an end clean up as Ctrl-C does; one that is ignored, as under nohup, stays so."""
+    if threading.current_thread() is not threading.main_thread():
+        return
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, _end)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    del frame
+    signal.signal(number, signal.SIG_IGN)  # it may come twice, to the process and to its group: clean up once, whole
+    sys.exit(128 + number)
 
 
 def _fail(sentence: str) -> None:
