@@ -279,7 +279,7 @@ def test_a_motion_too_long_for_a_film_is_refused_by_name_whatever_part_is_asked_
     path = folder / "long.motion"
     save_motion(path, Motion.of({"leftupperarm": [(0, (0, 0, 0)), (last, (60, 0, 0))]}))
     asked = FilmChoice(renderer="stick", size=(64, 48), part=part)
-    with pytest.raises(FileError, match=r"long\.motion: makes \d{7} pictures.*fewer a second"):
+    with pytest.raises(FileError, match=r"long\.motion: makes \d+ pictures.*fewer a second"):
         open_film(path, None, asked, PluginChoice(safe=True))
 
 

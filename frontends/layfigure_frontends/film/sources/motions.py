@@ -84,9 +84,7 @@ def _check_length(count: int, source: Path) -> None:
     from layfigure.scenes.performing import MAXIMUM_IMAGES
 
     if count > MAXIMUM_IMAGES:
-        told = (
-            f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, even one of which --frames takes a part"
-        )
+        told = f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, with --frames too"
         raise FileError(f"{source}: {told}; ask for fewer a second with --fps, or shorten the motion")
 
 
