@@ -15,7 +15,7 @@ import pytest
 from PIL import Image
 
 from layfigure import compiled, resources
-from layfigure.errors import FileError, LayfigureError
+from layfigure.errors import FileError, LayfigureError, SourceError
 from layfigure.figures.library import load_figure
 from layfigure.motions.motion import Motion
 from layfigure.motions.motion_file import save_motion
@@ -266,11 +266,9 @@ def with_rate(folder, rate):
 
 
 @pytest.mark.parametrize("rate", ["1e-3", "1e-30", "1e30", "1001/1000000007", "1000.01"])
-@pytest.mark.parametrize("name", ["a.gif", "a.mp4", None])
-def test_a_motion_whose_own_rate_no_film_can_have_is_refused_by_name(folder, rate, name):
-    path, output = with_rate(folder, rate), Path(name) if name else None
-    with pytest.raises(FileError, match=r"wave\.motion: its rate is .*, but films show 0\.01 to 1000 pictures"):
-        open_film(path, output, FilmChoice(renderer="stick", size=(64, 48)), PluginChoice(safe=True))
+def test_a_motion_whose_own_rate_no_film_can_have_is_refused_by_name(folder, rate):
+    with pytest.raises(SourceError, match=r"wave\.motion:\d+:6: .* 0\.01 to 1000"):
+        open_film(with_rate(folder, rate), None, FilmChoice(renderer="stick", size=(64, 48)), PluginChoice(safe=True))
 
 
 @pytest.mark.parametrize("part", [(0, 3), None])
@@ -279,7 +277,7 @@ def test_a_motion_too_long_for_a_film_is_refused_by_name_whatever_part_is_asked_
     path = folder / "long.motion"
     save_motion(path, Motion.of({"leftupperarm": [(0, (0, 0, 0)), (last, (60, 0, 0))]}))
     asked = FilmChoice(renderer="stick", size=(64, 48), part=part)
-    with pytest.raises(FileError, match=r"long\.motion: makes \d{7} pictures.*fewer a second"):
+    with pytest.raises(FileError, match=r"long\.motion: makes \d+ pictures.*fewer a second"):
         open_film(path, None, asked, PluginChoice(safe=True))
 
 

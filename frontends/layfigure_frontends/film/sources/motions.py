@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from layfigure_frontends.film.choice import RATES, FilmChoice, shaped, shortened, shown_rate
+from layfigure_frontends.film.choice import FilmChoice, shaped
 from layfigure_frontends.film.reel import Film, Size
 from layfigure_frontends.film.sources.shootings import USUAL, drawers_of, reels_of, told, warned
 
 if TYPE_CHECKING:
-    from fractions import Fraction
 
     from layfigure.figures.figure import Figure
     from layfigure.motions.motion import Motion
@@ -38,7 +37,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     file = load_motion(source, curves)
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
-    rate = asked.rate or _own_rate(file.rate, source)
+    rate = asked.rate or file.rate
     motion = file.motion * asked.repeat if asked.repeat > 1 else file.motion
     _check_length(motion.duration * rate // file.rate + 1, source)
     aspect, loop = size.width / size.height, _goes_round(file.motion, curves)
@@ -58,22 +57,6 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     )
 
 
-def _own_rate(rate: Fraction, source: Path) -> Fraction:
-    """Return a motion's own rate as that of its film.
-
-    Raises:
-        FileError: films are not so slow or fast.
-    """
-    from layfigure.errors import FileError
-    from layfigure.motions.numbers import written
-
-    shown = shown_rate(rate)
-    if shown is None:
-        told = shortened(written(rate))
-        raise FileError(f"{source}: its rate is {told}, but films show {RATES} pictures per second; ask with --fps")
-    return shown
-
-
 def _check_length(count: int, source: Path) -> None:
     """Find out whether so many pictures make a film of bearable length; what the camera sees hangs on all of them.
 
@@ -84,9 +67,7 @@ def _check_length(count: int, source: Path) -> None:
     from layfigure.scenes.performing import MAXIMUM_IMAGES
 
     if count > MAXIMUM_IMAGES:
-        told = (
-            f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, even one of which --frames takes a part"
-        )
+        told = f"makes {count} pictures, and a film has at most {MAXIMUM_IMAGES}, with --frames too"
         raise FileError(f"{source}: {told}; ask for fewer a second with --fps, or shorten the motion")
 
 
