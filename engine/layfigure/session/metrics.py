@@ -19,9 +19,9 @@ class Metrics:
     views of every candidate, ``least`` the least that shows anything. The column at the right takes ``column_share`` of
     the width, between ``column_least`` and ``column_most``; of its height the working pose may take ``poser_share``
     however little the ``panel`` then has, at a shape of width / ``poser_shape``; it makes room for a time line where
-    the panel would else have less than ``panel_whole``, all its rows. ``views_least`` is the width at which a pose is
-    shown from three sides. ``tolerance`` and ``slack`` are distances of the pointer: beside a limb, and between a click and
-    a drag.
+    the panel would have less than ``panel_whole``, all its rows. ``views_least`` is the width at which a pose
+    is shown from three sides. ``tolerance`` and ``slack`` are distances of the pointer: beside a limb, and between a
+    click and a drag.
     """
 
     grain: int = 1
