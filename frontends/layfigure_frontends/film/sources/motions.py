@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from layfigure_frontends.film.choice import FilmChoice, shaped
+from layfigure_frontends.film.choice import FilmChoice, shaped, shown_rate
 from layfigure_frontends.film.reel import Film, Size
 from layfigure_frontends.film.sources.shootings import USUAL, drawers_of, reels_of, told, warned
 
 if TYPE_CHECKING:
-
     from layfigure.figures.figure import Figure
     from layfigure.motions.motion import Motion
     from layfigure.motions.standard import Curves
@@ -37,7 +36,7 @@ def film_of_file(source: Path, asked: FilmChoice, choice: PluginChoice) -> Film:
     file = load_motion(source, curves)
     view = asked.view or VIEW
     size = shaped(asked.size, _SHEET if view == "sheet" else USUAL)
-    rate = asked.rate or file.rate
+    rate = asked.rate or shown_rate(file.rate) or file.rate
     motion = file.motion * asked.repeat if asked.repeat > 1 else file.motion
     _check_length(motion.duration * rate // file.rate + 1, source)
     aspect, loop = size.width / size.height, _goes_round(file.motion, curves)
