@@ -1,5 +1,8 @@
 """What many tests need: a private home, the humanoid, and a session on it."""
 
+import signal
+from contextlib import suppress
+
 import pytest
 
 from layfigure.configuration import load_bindings
@@ -7,6 +10,11 @@ from layfigure.plugins.host import Host
 from layfigure.session.document import Document
 from layfigure.session.figures import open_figure
 from layfigure.session.session import Session, SessionOptions
+
+for _name in ("SIGINT", "SIGHUP"):  # a job in the background is started deaf, and so would be what tests start
+    if signal.getsignal(getattr(signal, _name, signal.SIGTERM)) == signal.SIG_IGN:
+        with suppress(ValueError):
+            signal.signal(getattr(signal, _name), signal.SIG_DFL if _name == "SIGHUP" else signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)

@@ -138,7 +138,8 @@ def _first_columns(figure: Figure, limbs: NDArray[np.int64]) -> list[int]:
 def clamped(motion: Motion, figure: Figure) -> tuple[Motion, ClampReport]:
     """Return a motion whose keys lie inside a figure's limits, and which did not; joints it lacks are left alone.
 
-    Between its keys the default interpolation then keeps them too; others may step over, and are clamped when sampled.
+    Between its keys the default interpolation then keeps them too; others may step over, and are clamped when sampled,
+    as are swings of flexion and pivot that come to more than 180 degrees together.
     """
     limits = _exact_limits(figure)
     report = ClampReport(counted="keys")
