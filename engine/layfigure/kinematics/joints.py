@@ -13,6 +13,7 @@ from layfigure.kinematics import swing
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+_NOISE = 1e-9  # degrees that an angle at its limit may seem to lie beyond it, from the arithmetic of its rotation
 _UPRIGHT = 1.0 - 1e-12  # beyond this sine of y, x and z turn about one line
 
 
@@ -80,7 +81,8 @@ def by_whole_turns(angles: Floats, near: Floats, low: Floats, high: Floats) -> F
     wanted = np.clip(near, low, high)
     here = angles + 360.0 * np.round((wanted - angles) / 360.0)
     up, down = here + 360.0, here - 360.0
-    return np.where((here < low) & (up <= high), up, np.where((here > high) & (down >= low), down, here))
+    fits_up, fits_down = up <= high + _NOISE, down >= low - _NOISE
+    return np.where((here < low) & fits_up, up, np.where((here > high) & fits_down, down, here))
 
 
 def committed(angles: ArrayLike, euler: Flags | None = None) -> Floats:

@@ -112,6 +112,11 @@ def test_angles_within_limits_are_found_wherever_there_are_any(data: st.DataObje
         assert low - 1e-4 <= angle <= high + 1e-4
 
 
+def test_an_angle_at_its_limit_is_found_a_whole_turn_away() -> None:
+    found = nearest_axis_angles(about_axes([0, 0, -201]), (0, 0, 0), [(0, 0), (0, 0), (-201, 0)])
+    assert np.allclose(found, (0, 0, -201))
+
+
 def test_where_x_and_z_turn_about_one_line_z_stays() -> None:
     found = nearest_axis_angles(about_axes([20, 90, 30]), (0, 80, 45), WIDE)
     assert np.allclose(found, (5, 90, 45))
