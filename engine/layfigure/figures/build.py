@@ -18,12 +18,12 @@ from layfigure.figures.definition import (
     Volume,
 )
 from layfigure.figures.figure import Figure, FigureArrays, Limb, limb_limits
+from layfigure.figures.handedness import MIRRORED
 from layfigure.figures.joint_names import joint_name
 
 MAXIMUM_LIMBS = 250
 MAXIMUM_VOLUMES = 250
 MAXIMUM_NAME = 80  # mirror prefixes included
-RIGHT_HANDED = np.array([1.0, 1.0, -1.0])  # what takes right-handed points to ours and back
 ROOT = "root"  # what pose files call limb 0, so no other limb may be called so
 
 
@@ -129,7 +129,7 @@ class _Pending:
 def _expand(root: LimbDefinition) -> Iterator[_Expanded]:
     """Yield limbs parents first, in file order, without recursion (a deep file must not exhaust the stack)."""
     count = 0
-    handedness = RIGHT_HANDED if root.right_handed else np.ones(3)
+    handedness = MIRRORED if root.right_handed else np.ones(3)
     stack = [_Pending(JointDefinition((0.0, 0.0, 0.0), root), -1, "", "", handedness)]
     while stack:
         pending = stack.pop()

@@ -8,12 +8,13 @@ import numpy as np
 
 from layfigure.figures.definition import Vector
 from layfigure.figures.figure import Figure, Limb
+from layfigure.figures.handedness import MIRRORED
 from layfigure.models.joints import Frame, Joint, JointId
 from layfigure.models.links import ROOT, Link, Node, Nodes
 from layfigure.models.shapes import Shape
 from layfigure.models.volumes import mapped, point_of
 
-HANDEDNESS = np.diag([1.0, 1.0, -1.0])  # takes script coordinates to the program's left-handed ones, and back
+HANDEDNESS = np.diag(MIRRORED)  # takes script coordinates to the program's left-handed ones, and back
 
 
 def nodes_of(figure: Figure) -> Nodes:

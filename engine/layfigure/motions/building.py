@@ -6,10 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
-
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
+from layfigure.figures.handedness import MIRRORED
 from layfigure.motions.joints import JointLimbs, joint_limbs
 from layfigure.motions.keys import (
     DEFAULT,
@@ -115,5 +114,5 @@ def values_of(pose: Pose, joint: JointLimbs) -> Values:
 
 def place_of(pose: Pose) -> Values:
     """Return where a pose's root stands, in script coordinates: Z toward the viewer."""
-    x, y, z = (rational(value, "a coordinate") for value in (pose.translation * np.array([1.0, 1.0, -1.0])).tolist())
+    x, y, z = (rational(value, "a coordinate") for value in (pose.translation * MIRRORED).tolist())
     return (x, y, z)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
+from layfigure.figures.handedness import MIRRORED
 from layfigure.motions.clamping import ClampReport, clamp_samples
 from layfigure.motions.compiling import Compiled, compiled
 from layfigure.motions.joints import joint_limbs
@@ -25,8 +26,6 @@ from layfigure.poses.pose import Pose
 Floats = NDArray[np.float64]
 MAXIMUM_SAMPLES = 50_000_000
 """Joint angles of one call; a film of hours is sampled in parts."""
-
-_TO_LEFT_HANDED = np.array([1.0, 1.0, -1.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +88,7 @@ def sample(
     begin = start if start is not None else Pose.rest(figure)
     angles, report, unknown = _angles(figure, ready, moments, begin, manner.get("clamp", True))
     moved = _places(motion, ready, moments)
-    translations = np.asarray(begin.translation + moved * _TO_LEFT_HANDED)
+    translations = np.asarray(begin.translation + moved * MIRRORED)
     angles.flags.writeable = translations.flags.writeable = False
     return Sampled(angles, translations, report, unknown, begin.euler)
 

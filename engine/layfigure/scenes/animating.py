@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from layfigure.errors import LayfigureError
 from layfigure.figures.figure import Figure
+from layfigure.figures.handedness import MIRRORED
 from layfigure.motions.clamping import ClampReport
 from layfigure.motions.joints import joints_of
 from layfigure.motions.keys import PLACE
@@ -22,7 +23,6 @@ from layfigure.motions.standard import STANDARD, Curves
 
 Floats = NDArray[np.float64]
 _FEWEST, _MOST = 16, 512  # frames sampled at a time: twice as many whenever a motion goes on
-_TO_SCRIPT = np.array([1.0, 1.0, -1.0])
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ class Track:
         sampled = self._ahead(frame)
         row = frame - self._window.start
         elapsed = float(frame - self._animate.begin)
-        place = sampled.translations[row] * _TO_SCRIPT if elapsed >= self._place_begins else None
+        place = sampled.translations[row] * MIRRORED if elapsed >= self._place_begins else None
         return Moment(self._begins <= elapsed, sampled.angles[row], place)
 
     def _ahead(self, frame: int) -> Sampled:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from layfigure.figures.figure import Figure
+from layfigure.figures.handedness import MIRRORED
 from layfigure.models.articulated import Model
 from layfigure.motions.clamping import merged
 from layfigure.motions.joints import joint_limbs
@@ -24,7 +25,6 @@ Who = Figure | Model
 
 MAXIMUM_IMAGES = 1_000_000
 _ALIVE = 32  # ANIMATEs of one model that are kept sampled
-_TO_LEFT_HANDED = np.array([1.0, 1.0, -1.0])
 
 
 class Performer:
@@ -62,7 +62,7 @@ class Performer:
 
         A main link other than the root stays still: it stands where it is put, wherever motions carry the root.
         """
-        angles, translations = np.array(angles), carried * _TO_LEFT_HANDED
+        angles, translations = np.array(angles), carried * MIRRORED
         if isinstance(self.who, Model):
             angles, translations = self.who.standing(angles, translations)
         turns, shifts = np.array([p.matrix for p in places]), np.array([p.shift for p in places])
